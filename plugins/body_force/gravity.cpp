@@ -8,12 +8,12 @@ namespace {
 struct Gravity {
   std::array<double, 3> acceleration = {0, 0, 0};
   scree::Program components[3];
-  scree::Vec3 g = {}, change = {};  // (m/s²), (m/s³) at the present time
+  scree::Vec3 g = {}, change = {};  // (m/s²) at the present time, and since the evaluation before
 
   static constexpr scree::About about = {
       "gravity", "uniform acceleration of every body",
       "f = m g(t), E = −m g·x\n"
-      "work is done at the rate −m g'·x, by which E changes where bodies rest",
+      "work is done as g changes, dW = −m dg·x, by which E changes where bodies rest",
       "David et al. 2005, equation 5"};
 
   void declare(scree::Declaration& d) {
@@ -24,18 +24,18 @@ struct Gravity {
           .optional();
   }
 
-  void at(double time) {
+  void at(double time, double before) {
     for (int k = 0; k < 3; ++k) {
       const bool given = components[k].given();
       g[k] = given ? components[k](time) : acceleration[std::size_t(k)];
-      change[k] = given ? components[k].rate(time) : 0;
+      change[k] = given ? g[k] - components[k](before) : 0;
     }
   }
 
   void act(const scree::BodyState& body, scree::BodyForceOutput& out) const {
     out.force = body.mass * g;
     out.potential = -dot(out.force, body.position);
-    out.work_rate = -body.mass * dot(change, body.position);
+    out.work = -body.mass * dot(change, body.mid_position);
   }
 };
 

@@ -54,7 +54,7 @@ void EnergyAudit::add_step(double step, const ContactSums& contacts, const BodyS
       trapezoid(bodies_.dissipation_rate_translation, bodies.dissipation_rate_translation);
   totals_.dissipated_rotation +=
       trapezoid(bodies_.dissipation_rate_rotation, bodies.dissipation_rate_rotation);
-  totals_.work += trapezoid(bodies_.work_rate, bodies.work_rate);
+  totals_.work += bodies.work;
   store(contacts, bodies);
 }
 

@@ -8,7 +8,6 @@ void BodySums::transfer(const StateTransfer& state) {
   state.value("potential", "J", potential, stored::any);
   state.value("dissipation_rate_translation", "W", dissipation_rate_translation, stored::any);
   state.value("dissipation_rate_rotation", "W", dissipation_rate_rotation, stored::any);
-  state.value("work_rate", "W", work_rate, stored::any);
 }
 
 }  // namespace scree

@@ -32,7 +32,7 @@ BodyForces::BodyForces(const std::vector<Scene::BodyForce>& entries, int dimensi
     members_.push_back({entry, ConfiguredBodyForce(entry.parameters, dimension, no_bounds, no_bounds)});
 }
 
-void BodyForces::apply(double time, Particles& p, const Domain& domain, BodyRange bodies,
+void BodyForces::apply(Times times, Particles& p, const Domain& domain, BodyRange bodies,
                        BodySums& sums) const {
   if (members_.empty()) return;
   const std::size_t first = bodies.begin;
@@ -54,17 +54,18 @@ void BodyForces::apply(double time, Particles& p, const Domain& domain, BodyRang
   batch.radius = from(p.radius(), first);
   batch.mass = from(p.mass, first);
   batch.inertia = from(p.inertia, first);
-  apply(time, batch);
+  apply(times, batch);
   sums.potential += batch.potential;
   sums.dissipation_rate_translation += batch.dissipation_rate_translation;
   sums.dissipation_rate_rotation += batch.dissipation_rate_rotation;
-  sums.work_rate += batch.work_rate;
+  sums.work += batch.work;
 }
 
-void BodyForces::apply(double time, scree_body_batch& batch) const {
+void BodyForces::apply(Times times, scree_body_batch& batch) const {
   for (const Member& member : members_) {
     if (member.absent()) continue;
-    batch.time = member.clock.at(time);
+    batch.time = member.clock.at(times.now);
+    batch.time_before = member.clock.at(times.before);
     member.plugin.interface().apply(member.plugin.storage(), &batch);
   }
 }

@@ -20,10 +20,14 @@ class BodyForces {
   // audit: whether energies are computed.
   BodyForces(const std::vector<Scene::BodyForce>& entries, int dimension, bool audit);
 
-  // Adds to the forces and torques of a range of bodies at a time (s), and to the sums.
-  void apply(double time, Particles& particles, const Domain& domain, BodyRange bodies, BodySums& sums) const;
+  // Of an evaluation, and of the one before (s).
+  struct Times {
+    double now, before;
+  };
+  // Adds to the forces and torques of a range of bodies, and to the sums.
+  void apply(Times times, Particles& particles, const Domain& domain, BodyRange bodies, BodySums& sums) const;
   // Adds to the loads and energies of a batch.
-  void apply(double time, scree_body_batch& batch) const;
+  void apply(Times times, scree_body_batch& batch) const;
   // Largest rate at which any body force damps any of the bodies (1/s); 0 without drag.
   double largest_damping_rate(const std::vector<Body>& bodies) const;
   // Its functions of time start again at `time` (s), except those of the keys that go on.

@@ -214,7 +214,7 @@ const std::vector<std::string>& Simulation::let_go() const { return parts_->let_
 const Boundaries& Simulation::boundaries() const { return parts_->boundaries; }
 const BodyForces& Simulation::body_forces() const { return parts_->body_forces; }
 void Simulation::add_body_forces(scree_body_batch& batch) const {
-  parts_->body_forces.apply(parts_->stepper.time(), batch);
+  parts_->body_forces.apply({time(), time()}, batch);
 }
 const Contacts& Simulation::contacts() const { return parts_->contacts; }
 

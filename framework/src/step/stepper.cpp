@@ -147,13 +147,15 @@ void Stepper::plan_driven(const DrivenBodies::Times& now, std::optional<double> 
   SimulationParts& p = parts_;
   p.driven.plan_finish(now);
   if (!next) return;
-  // As the clock will show after this step.
-  const bool last = substep_ + 1 == p.integrator->substeps().size();
-  const double time = last ? double(steps_ + 1) * p.scene.step : now.time + now.step;
-  const double force_time = !last          ? now.force_time + now.elapsed
-                            : now.mid_step ? time - 0.5 * p.scene.step
-                                           : time;
-  p.driven.plan_begin({time, *next, force_time, *next, now.mid_step});
+  const Clock clock = clock_after_substep(now.step, now.elapsed);
+  p.driven.plan_begin({clock.time, *next, clock.force_time, *next, now.mid_step});
+}
+
+Stepper::Clock Stepper::clock_after_substep(double step, double elapsed) const {
+  const SimulationParts& p = parts_;
+  if (substep_ + 1 < p.integrator->substeps().size()) return {time_ + step, force_time_ + elapsed};
+  const double time = double(steps_ + 1) * p.scene.step;
+  return {time, p.integrator->evaluates_at_mid_step() ? time - 0.5 * p.scene.step : time};
 }
 
 void Stepper::add_work_of_begun_step() {
@@ -172,7 +174,10 @@ double Stepper::largest_square_speed() const {
 bool Stepper::evaluate_forces(double elapsed, const Moves& moves) {
   SimulationParts& p = parts_;
   bodies_advanced_ = moves.begin.has_value();
-  evaluated_at_ = force_time_ + elapsed;
+  if (moves.finish)
+    evaluated_at_ = clock_after_substep(*moves.finish, elapsed).force_time;
+  else
+    evaluated_at_ = elapsed != 0 ? time_ : force_time_;
   p.contact_sums = p.forces.evaluate(
       {.particles = p.particles,
        .contacts = p.contacts,
@@ -210,7 +215,7 @@ void Stepper::finish_part(std::size_t part, const Moves& moves, Profile* profile
   PartSums& sums = part_sums_[part] = {};
   sums.momentum.add(p.particles, bodies);
   laps.lap(Profile::audit);
-  p.body_forces.apply(evaluated_at_, p.particles, p.boundaries.domain(), bodies, sums.bodies);
+  p.body_forces.apply({evaluated_at_, force_time_}, p.particles, p.boundaries.domain(), bodies, sums.bodies);
   laps.lap(Profile::body_forces);
   if (p.driven.any_in(part)) {
     move_driven(part, bodies, moves, sums);

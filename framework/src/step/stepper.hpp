@@ -74,6 +74,11 @@ class Stepper {
   void move_driven(std::size_t part, BodyRange bodies, const Moves& moves, PartSums& sums);
   // Before an evaluation that ends a substep, after which one of `next` (s) follows.
   void plan_driven(const DrivenBodies::Times& now, std::optional<double> next);
+  struct Clock {
+    double time, force_time;  // (s)
+  };
+  // As the clock will show after this substep.
+  Clock clock_after_substep(double step, double elapsed) const;
   void add_work_of_begun_step();
   // First half of a step (s) for the walls; the bodies are at its end, where forces act for `kick` (s).
   void begin_walls(double step, double kick);

@@ -24,7 +24,8 @@ TEST_CASE("powers are integrated by the trapezoidal rule, frictional work is add
   audit.start(0, 0, {});
   const ContactSums second = {
       .dissipation_rate_normal = 6, .dissipation_rate_tangential = 0, .dissipated_friction = 0.5};
-  const BodySums second_bodies = {.dissipation_rate_translation = 0, .dissipation_rate_rotation = 32};
+  const BodySums second_bodies = {
+      .dissipation_rate_translation = 0, .dissipation_rate_rotation = 32, .work = 7};
   audit.add_step(0.5, second, second_bodies);
   scree_energy e = audit.balance(0, 0, {});
   CHECK(e.dissipated_normal == 0.25 * (2 + 6));
@@ -32,6 +33,7 @@ TEST_CASE("powers are integrated by the trapezoidal rule, frictional work is add
   CHECK(e.dissipated_friction == 0.5);  // dissipation of set_stored is not counted
   CHECK(e.dissipated_translation == 0.25 * (8 + 0));
   CHECK(e.dissipated_rotation == 0.25 * (16 + 32));
+  CHECK(e.work == 7);
 
   audit.add_step(0.25, {}, {});
   e = audit.balance(0, 0, {});

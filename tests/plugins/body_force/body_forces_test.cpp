@@ -83,6 +83,29 @@ TEST_CASE("gravity: components that are functions of time accelerate every body 
   for (std::size_t k = 0; k < 3; ++k) CHECK(std::log2(coarse[k] / fine[k]) == Approx(2).margin(0.2));
 }
 
+TEST_CASE("gravity: the balance closes to second order where g has corners and jumps within steps",
+          "[gravity]") {
+  // Corners at 1/3 and 2/3 of 0.1 s; within 1 ns, inside of a step and at its end, from 9 to -20 m/s².
+  const double jump = GENERATE(0.04231, 0.05);
+  const Integration integration = GENERATE(Integration::velocity_verlet, Integration::position_verlet);
+  CAPTURE(jump, int(integration));
+  const auto residual = [&](double step) {
+    Scene sc = scene(3, step, {body(1, 0.1, 2, {{5, 0, 0}}, {{1, 0, 0}})}, elastic);
+    sc.integration = integration;
+    add_body_force(sc, "gravity",
+                   {{"acceleration", {0, 0, 0}},
+                    {"acceleration_x", {4, 0, 3, 0.1 / 3, 3, jump, 9, jump + 1e-9, -20, 0.2 / 3, 5, 1, 5}}});
+    Simulation s(sc);
+    run(s, std::uint64_t(std::llround(0.1 / step)));
+    CHECK(std::abs(s.energy().work) > 100);  // 2 kg × 29 m/s² × 5 m at the jump
+    return std::abs(s.energy().residual);
+  };
+  // m h²/8 of the change of g² and m h²/4 times g and the jump: with a factor of 5, m h² × 29 m/s² × 20 m/s².
+  const double coarse = residual(1e-3), fine = residual(1e-4);
+  CHECK(coarse < 2e-6 * 29 * 20);
+  CHECK(fine < 2e-8 * 29 * 20);
+}
+
 TEST_CASE("background damping: drags that are functions of time", "[background_damping]") {
   Scene sc = scene(3, 1e-4, {body(1, 0.1, 2, {}, {{1, 0, 0}}, {{0, 0, 4}})}, elastic);
   add_body_force(

@@ -11,6 +11,7 @@
 //   void prepare(const scree::Setup&);                          optional: derived values, refusals
 //   void at(double time);                                       optional: derived values at a time (s) since the
 //                                                               parameters were set
+//   void at(double time, double before);                        the same, with the time of the evaluation before
 //   void act(const scree::BodyState&, scree::BodyForceOutput&) const;
 //   double damping_rate(double mass, double inertia, double radius) const;
 //                                               optional: largest rate at which drag slows a body (1/s), for
@@ -22,6 +23,7 @@ namespace scree {
 // in a scene without spin.
 struct BodyState {
   Vec3 position;                 // (m) unfolded: including the periods that the body has crossed
+  Vec3 mid_position;             // (m) the same half way from the evaluation before
   Vec3 velocity;                 // (m/s)
   Vec3 spin;                     // (rad/s)
   double radius, mass, inertia;  // (m), (kg), (kg m²)
@@ -34,7 +36,9 @@ struct BodyForceOutput {
   double potential;                     // (J)
   double dissipation_rate_translation;  // (W)
   double dissipation_rate_rotation;     // (W)
-  double work_rate;  // (W) beyond potential and drag, such as the change of the potential with time alone
+  double
+      work;  // (J) since the evaluation before, beyond potential and drag, such as the change of the potential with
+             // time alone
 };
 
 namespace detail {
@@ -53,14 +57,17 @@ template <class Author, int D, bool with_spin, bool audit>
   constexpr int first_spin = with_spin ? first_spin_axis<D> : 3;
   // Local copies: the compiler need not assume that writing a load changes them.
   Author timed = shared;
+  if constexpr (requires(Author & a) { a.at(0.0, 0.0); }) timed.at(sums.time, sums.time_before);
   if constexpr (requires(Author & a) { a.at(0.0); }) timed.at(sums.time);
   const Author author = timed;
   const scree_body_batch batch = sums;
   const std::uint64_t state_stride = batch.radius.stride, load_stride = batch.force[0].stride;
+  const double half_elapsed = 0.5 * (batch.time - batch.time_before);
   std::uint64_t state = 0, load = 0;
   BodyForceOutput all{};
   for (std::uint32_t i = 0; i < batch.count; ++i, state += state_stride, load += load_stride) {
     BodyState body{vector_at<0, D>(batch.position, state),
+                   {},
                    vector_at<0, D>(batch.velocity, state),
                    vector_at<first_spin, 3>(batch.spin, state),
                    batch.radius.data[state],
@@ -68,6 +75,7 @@ template <class Author, int D, bool with_spin, bool audit>
                    with_spin ? batch.inertia.data[i] : 0};
     for (int k = 0; k < D; ++k)
       if (batch.image[k]) body.position[k] += batch.image[k][i] * batch.period[k];
+    body.mid_position = body.position - half_elapsed * body.velocity;
     BodyForceOutput out{};
     author.act(body, out);
     for (int k = 0; k < D; ++k) batch.force[k].data[load] += out.force[k];
@@ -76,13 +84,13 @@ template <class Author, int D, bool with_spin, bool audit>
       all.potential += out.potential;
       all.dissipation_rate_translation += out.dissipation_rate_translation;
       all.dissipation_rate_rotation += out.dissipation_rate_rotation;
-      all.work_rate += out.work_rate;
+      all.work += out.work;
     }
   }
   sums.potential += all.potential;
   sums.dissipation_rate_translation += all.dissipation_rate_translation;
   sums.dissipation_rate_rotation += all.dissipation_rate_rotation;
-  sums.work_rate += all.work_rate;
+  sums.work += all.work;
 }
 
 template <class Author, int D, bool with_spin>

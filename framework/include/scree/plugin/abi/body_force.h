@@ -30,8 +30,10 @@ typedef struct scree_body_batch {
   double period[3];        /* (m) */
   double time;             /* (s) of the forces; starts again from 0 when a stage sets parameters */
   double
-      work_rate; /* (W) output, added to: what the force does beyond its potential and its drag, such as the change of
-                       the potential with time alone */
+      time_before; /* (s) of the evaluation before, or `time` if there was none since parameters were set */
+  double
+      work; /* (J) output, added to: since time_before, beyond potential and drag, such as the change of the
+                              potential with time alone */
 } scree_body_batch;
 
 typedef struct scree_body_force {
