@@ -56,11 +56,9 @@ struct BoxProbe {
     double* stress = row + dimension;
     double* strain = row + 2 * dimension;
     for (int k = 0; k < dimension; ++k) {
-      const double low = -view.loads[wall(view, k, 1)].force[k],
-                   high = view.loads[wall(view, k, -1)].force[k];
       row[k] = lengths[k];
-      const bool both = is_there(view, k, 1) == is_there(view, k, -1);
-      stress[k] = (both ? 0.5 : 1) * (low + high) / (volume / lengths[k]);
+      stress[k] = scree::pressing_force({view.planes, view.plane_count}, view.loads, k, view.plane_absent) /
+                  (volume / lengths[k]);
       strain[k] = 1 - lengths[k] / state[k];
     }
     double* last = row + 3 * dimension;
@@ -73,9 +71,6 @@ struct BoxProbe {
   // Index of the innermost wall at the lower (sign 1) or upper end (sign −1) of an axis, or −1.
   static int wall(const scree_view& view, int axis, int sign) {
     return scree::wall_across({view.planes, view.plane_count}, axis, sign, view.plane_absent);
-  }
-  static bool is_there(const scree_view& view, int axis, int sign) {
-    return !view.plane_absent[wall(view, axis, sign)];
   }
   static double length(const scree_view& view, int axis) {
     return view.planes[wall(view, axis, -1)].point[axis] - view.planes[wall(view, axis, 1)].point[axis];

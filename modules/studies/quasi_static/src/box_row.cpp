@@ -1,5 +1,6 @@
 #include "box_row.hpp"
 
+#include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
@@ -20,15 +21,16 @@ BoxRow::BoxRow(const std::vector<double>& at_start) : dimension_(int(at_start.si
     if (at_start[std::size_t(k)] > 0) axes_.push_back({k, at_start[std::size_t(k)]});
 }
 
-std::vector<double> BoxRow::lengths(int dimension, const std::vector<scree_plane>& planes) {
+std::vector<double> BoxRow::lengths(int dimension, const Sample& sample) {
   std::vector<double> all;
-  for (int k = 0; k < dimension; ++k) all.push_back(length(planes, k));
+  for (int k = 0; k < dimension; ++k) all.push_back(length(sample, k));
   return all;
 }
 
-double BoxRow::length(const std::vector<scree_plane>& planes, int axis) {
-  if (wall_across(planes, axis, 1) < 0 || wall_across(planes, axis, -1) < 0) return 0;
-  return wall_height(planes, axis, -1) - wall_height(planes, axis, 1);
+double BoxRow::length(const Sample& sample, int axis) {
+  const auto end = [&](int sign) { return wall_height(sample.planes, axis, sign, sample.absent.data()); };
+  const double between = end(-1) - end(1);
+  return std::isnan(between) ? 0 : between;
 }
 
 std::string BoxRow::head() const {
@@ -44,7 +46,7 @@ std::string BoxRow::head() const {
 
 std::string BoxRow::line(const Sample& sample) const {
   std::vector<std::string> cells = {files::csv_number(sample.time)};
-  for (const Axis& a : axes_) cells.push_back(files::csv_number(length(sample.planes, a.axis)));
+  for (const Axis& a : axes_) cells.push_back(files::csv_number(length(sample, a.axis)));
   if (int(axes_.size()) == dimension_)
     for (const Axis& a : axes_) cells.push_back(files::csv_number(stress(sample, a.axis)));
   for (const Axis& a : axes_) cells.push_back(files::csv_number(strain(sample, a)));
@@ -55,16 +57,14 @@ std::string BoxRow::line(const Sample& sample) const {
 }
 
 double BoxRow::strain(const Sample& sample, const Axis& along) const {
-  return 1 - length(sample.planes, along.axis) / along.length_at_start;
+  return 1 - length(sample, along.axis) / along.length_at_start;
 }
 
 double BoxRow::stress(const Sample& sample, int axis) const {
   double area = 1;
   for (const Axis& a : axes_)
-    if (a.axis != axis) area *= length(sample.planes, a.axis);
-  const double low = -sample.loads[std::size_t(wall_across(sample.planes, axis, 1))].force[axis],
-               high = sample.loads[std::size_t(wall_across(sample.planes, axis, -1))].force[axis];
-  return 0.5 * (low + high) / area;
+    if (a.axis != axis) area *= length(sample, a.axis);
+  return pressing_force(sample.planes, sample.loads.data(), axis, sample.absent.data()) / area;
 }
 
 double BoxRow::deviatoric_strain(const Sample& sample) const {

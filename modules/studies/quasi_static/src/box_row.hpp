@@ -19,8 +19,8 @@ class BoxRow {
   std::string head() const;  // line of a CSV file
   std::string line(const Sample& sample) const;
   // Along an axis (m), and 0 if it has no walls.
-  static double length(const std::vector<scree_plane>& planes, int axis);
-  static std::vector<double> lengths(int dimension, const std::vector<scree_plane>& planes);
+  static double length(const Sample& sample, int axis);
+  static std::vector<double> lengths(int dimension, const Sample& sample);
   // L_y/L_y0 − L_x/L_x0, or NaN without these walls.
   double deviatoric_strain(const Sample& sample) const;
 

@@ -41,7 +41,7 @@ void LoadStudy::prepare() {
   measure_stage(*simulation);
   begin_packing(std::move(simulation));
   if (!session_.proceeds()) throw session_.stopped_before("the load was followed");
-  lengths_at_start_ = BoxRow::lengths(plan_.scene.dimension, packing_.sample(load_.start).planes);
+  lengths_at_start_ = BoxRow::lengths(plan_.scene.dimension, packing_.sample(load_.start));
   box_.emplace(lengths_at_start_);
 }
 

@@ -17,6 +17,7 @@ struct Sample {
   double time = 0;  // (s)
   std::vector<scree_plane> planes;
   std::vector<scree_load> loads;
+  std::vector<std::uint8_t> absent;  // of each wall, whether it is not there
   std::size_t contacts = 0, sliding = 0;
   bool dynamic = false;  // reached by dynamics
 };

@@ -26,6 +26,7 @@ Sample box() {
   sample.time = 1.5;
   sample.planes = {wall(0, 1, -1), wall(0, -1, 1), wall(1, 1, 0), wall(1, -1, 4)};
   sample.loads = {load(0, -8), load(0, 12), load(1, -3), load(1, 5)};
+  sample.absent = {0, 0, 0, 0};
   sample.contacts = 7, sample.sliding = 2;
   return sample;
 }
@@ -33,7 +34,7 @@ Sample box() {
 }  // namespace
 
 TEST_CASE("a row has lengths, stresses and strains of a box") {
-  CHECK(BoxRow::lengths(2, box().planes) == std::vector<double>{2, 4});
+  CHECK(BoxRow::lengths(2, box()) == std::vector<double>{2, 4});
   const BoxRow row({2.5, 5});
   CHECK(
       row.head() ==
@@ -51,10 +52,20 @@ TEST_CASE("a row has lengths, stresses and strains of a box") {
 
 TEST_CASE("along an axis with one wall or none a row has no columns, and without a box no stress") {
   Sample sample = box();
-  sample.planes.pop_back(), sample.loads.pop_back();
-  CHECK(BoxRow::lengths(2, sample.planes) == std::vector<double>{2, 0});
+  sample.planes.pop_back(), sample.loads.pop_back(), sample.absent.pop_back();
+  CHECK(BoxRow::lengths(2, sample) == std::vector<double>{2, 0});
   const BoxRow row({2.5, 0});
   CHECK(row.head() == "time [s],length_x [m],strain_xx,contacts,sliding,dynamic\n");
   CHECK(row.line(sample) == "1.5,2,0.19999999999999996,7,2,0\n");
   CHECK(std::isnan(row.deviatoric_strain(sample)));
+}
+
+TEST_CASE("a wall that is absent bears nothing, and another behind it is the end of the box") {
+  Sample sample = box();
+  sample.absent[0] = 1;
+  sample.loads[0] = load(0, 0);
+  CHECK(BoxRow({2.5, 5}).line(sample).starts_with("1.5,2,4,3,2,"));
+  sample.planes.push_back(wall(0, 1, -2)), sample.loads.push_back(load(0, -8)), sample.absent.push_back(0);
+  CHECK(BoxRow::lengths(2, sample) == std::vector<double>{3, 4});
+  CHECK(BoxRow({2.5, 5}).line(sample).starts_with("1.5,3,4,2.5,"));
 }

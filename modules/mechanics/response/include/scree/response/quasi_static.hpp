@@ -57,6 +57,8 @@ class QuasiStatic {
   // The walls at rest in their present places, and the forces of contacts on them, 0 before the first balance.
   std::vector<scree_plane> planes() const;
   std::vector<scree_load> loads() const;
+  // 1 for walls that are not there.
+  const std::vector<std::uint8_t>& absent_planes() const;
   // The state of the simulation with this packing at rest, at this time.
   State state() const;
 
