@@ -64,6 +64,9 @@ class Simulation {
                             const std::vector<std::string>& going_on = {});
   void reconfigure_body_force(const std::string& name, const Parameters& parameters,
                               const std::vector<std::string>& going_on = {});
+  // Throws Error if such new parameters of a boundary would bring back a wall that is absent, with bodies behind it.
+  void check_returning_walls(const std::string& name, const Parameters& parameters,
+                             const std::vector<std::string>& going_on = {});
   // Must be called after reconfigurations, before the next step. Throws Error if a wall that was absent has bodies
   // behind it.
   void apply_reconfiguration();

@@ -78,6 +78,8 @@ class StageRunner {
   void apply_changes();
   void forget_values();
   void end_stage(StageEnd end);
+  // Throws Error(not_reached) if the next stage cannot begin; this one then goes on to be the present one.
+  void check_next() const;
   // Takes the values of conditions that are due; false if none is.
   bool take_values();
   bool conditions_met() const;

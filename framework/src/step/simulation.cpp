@@ -174,6 +174,14 @@ void Simulation::reconfigure_boundary(const std::string& name, const Parameters&
   set_parameters(parts_->scene.boundaries, "boundary", name, parameters);
 }
 
+void Simulation::check_returning_walls(const std::string& name, const Parameters& parameters,
+                                       const std::vector<std::string>& going_on) {
+  const std::vector<std::uint8_t>& absent = absent_planes();
+  if (std::find(absent.begin(), absent.end(), 1) == absent.end()) return;
+  parts_->stepper.synchronise();
+  parts_->check_returning_walls(name, parameters, going_on);
+}
+
 void Simulation::reconfigure_body_force(const std::string& name, const Parameters& parameters,
                                         const std::vector<std::string>& going_on) {
   parts_->stepper.synchronise();

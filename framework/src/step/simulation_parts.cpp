@@ -161,6 +161,16 @@ ContactSums SimulationParts::contact_sums_in(const State& state) {
   return sums;
 }
 
+void SimulationParts::check_returning_walls(const std::string& name, const Parameters& parameters,
+                                            const std::vector<std::string>& going_on) {
+  State present;
+  boundaries.transfer(StateTransfer::saving_to(present), false);
+  Boundaries changed = boundaries_of(scene);
+  changed.transfer(StateTransfer::restoring_from(present), false);
+  changed.reconfigure(name, parameters, stepper.time(), going_on);
+  check_appeared(particles, changed, boundaries.absent());
+}
+
 void SimulationParts::search_after_change() {
   check_appeared(particles, boundaries, neighbours.absent_at_search());
   search_neighbours();

@@ -42,6 +42,9 @@ struct SimulationParts {
   // Moves bodies, walls and contacts to their places in a packing at rest.
   void come_to_rest(const RestingPacking& packing);
   void search_neighbours() { neighbours.rebuild(particles, boundaries, contacts, *threads); }
+  // See Simulation.
+  void check_returning_walls(const std::string& name, const Parameters& parameters,
+                             const std::vector<std::string>& going_on);
   // After new parameters. Throws Error if a wall that was absent has bodies behind it.
   void search_after_change();
 

@@ -187,7 +187,20 @@ bool StageRunner::over() {
   return take_values() && steps() >= steps_in(stage.until.at_least) && conditions_met();
 }
 
+void StageRunner::check_next() const {
+  if (current_ + 1 >= stages_.size()) return;
+  const Stage& next = stages_[current_ + 1];
+  try {
+    for (const Stage::Change& change : next.changes)
+      if (change.kind == SCREE_BOUNDARY)
+        simulation_.check_returning_walls(change.name, change.parameters, change.going_on);
+  } catch (const Error& error) {
+    throw error.at(fmt::format("stage '{}'", next.name), ExitStatus::not_reached);
+  }
+}
+
 void StageRunner::end_stage(StageEnd end) {
+  check_next();
   last_end_ = end;
   ++current_;
   if (finished())

@@ -97,6 +97,32 @@ TEST_CASE("a wall does not come back before the centre of a body") {
   }
 }
 
+TEST_CASE("a stage in which a wall would come back before the centre of a body does not begin") {
+  const auto stage = [](const char* name, double control) {
+    Stage s{.name = name};
+    s.duration = 0.2;
+    s.changes = {
+        {SCREE_CONTACT_LAW, ground_law, parameters(ground_law, SCREE_CONTACT_LAW, ground_spring), {}},
+        {SCREE_BOUNDARY, "ground", ground(control), {}}};
+    return s;
+  };
+  Simulation s(sphere_on_ground());
+  StageRunner runner(s, {stage("open", absent_plane), stage("close", fixed_plane)});
+  try {
+    runner.run(3000, [] { return true; });
+    FAIL("not refused");
+  } catch (const Error& error) {
+    CHECK(error.status() == ExitStatus::not_reached);
+    CHECK_THAT(
+        error.what(),
+        Catch::StartsWith("stage 'close': wall ground is to be there again with the centre of 1 body"));
+  }
+  // All is as at the end of the stage before.
+  CHECK(runner.current() == 0);
+  CHECK(s.steps() == 2000);
+  CHECK(s.absent_planes()[0]);
+}
+
 TEST_CASE("a wall of a box is absent alone") {
   const auto box = [](double control) {
     return parameters("box", SCREE_BOUNDARY,
