@@ -37,17 +37,34 @@ double highest_hz(std::span<const double> data) {
   }
 }
 
+void add(const std::string& name, const char* key, std::span<const double> program, double step,
+         std::vector<std::string>& lines) {
+  const auto problem = sampling_problem(highest_hz(program), step);
+  if (!problem) return;
+  const std::string line =
+      fmt::format("'{}' of '{}': {}; give a lower frequency, or a shorter time.step", key, name, *problem);
+  if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(line);
+}
+
+void add(const BodyGroup& group, double step, std::vector<std::string>& lines) {
+  const auto add_all = [&](const BodyGroup::Programs& programs, const char* translation,
+                           const char* rotation) {
+    for (int k = 0; k < freedom::count; ++k)
+      if (const std::vector<double>& program = programs[std::size_t(k)]; !program.empty())
+        add(group.name, k < freedom::first_rotation ? translation : rotation, program, step, lines);
+  };
+  add_all(group.velocity, "velocity", "spin");
+  add_all(group.displacement, "displacement", "displacement");
+  add_all(group.load, "force", "torque");
+}
+
 void add(const std::string& name, const Parameters& parameters, double step,
          std::vector<std::string>& lines) {
   const std::vector<scree_value> values = parameters.values();
   for (std::uint32_t k = 0; k < parameters.plugin().parameter_count; ++k) {
     const scree_parameter& p = parameters.plugin().parameters[k];
-    if (p.type != SCREE_PROGRAM || !parameters.given(p.key)) continue;
-    const auto problem = sampling_problem(highest_hz({values[k].data, values[k].count}), step);
-    if (!problem) continue;
-    const std::string line = fmt::format("'{}' of '{}': {}; give a lower frequency, or a shorter time.step",
-                                         p.key, name, *problem);
-    if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(line);
+    if (p.type == SCREE_PROGRAM && parameters.given(p.key))
+      add(name, p.key, {values[k].data, values[k].count}, step, lines);
   }
 }
 
@@ -65,6 +82,7 @@ std::vector<std::string> undersampled_drives(const Scene& scene, const std::vect
     add(boundary.name, boundary.parameters, scene.step, lines);
   for (const Scene::BodyForce& force : scene.body_forces)
     add(force.name, force.parameters, scene.step, lines);
+  for (const BodyGroup& group : scene.groups) add(group, scene.step, lines);
   for (const Stage& stage : stages)
     for (const Stage::Change& change : stage.changes) add(change.name, change.parameters, scene.step, lines);
   return lines;

@@ -56,3 +56,15 @@ TEST_CASE("drives of stages are looked at too, and each is named once", "[scenar
   CHECK(plan_of(with(still, "duration = 1e-3\n", "") + stage + stage).warnings.size() == 1);
   CHECK(plan_of(still).warnings.empty());
 }
+
+TEST_CASE("functions of groups are looked at too", "[scenario]") {
+  const std::string key = GENERATE("velocity", "displacement", "force", "spin", "torque");
+  const auto moved = [&](const char* hz) {
+    return shaken + "0\n[[group]]\nname = 'shaker'\nwhere.ids = [1]\nfixed = true\n" + key +
+           " = [0, { amplitude = 1e-8, frequency_hz = " + hz + " }, 0]\n";
+  };
+  CHECK(plan_of(moved("49e3")).warnings.empty());
+  REQUIRE(plan_of(moved("51e3")).warnings.size() == 1);
+  CHECK_THAT(plan_of(moved("51e3")).warnings[0],
+             Catch::Contains(": '" + key + "' of 'shaker': 51000 Hz is not below half the sampling rate"));
+}
