@@ -24,6 +24,11 @@ struct Gravity {
           .optional();
   }
 
+  void prepare(const scree::Setup& setup) {
+    if (setup.dimension() == 2 && components[2].given())
+      setup.refuse("a scene of two dimensions has no acceleration_z; remove it");
+  }
+
   void at(double time, double before) {
     for (int k = 0; k < 3; ++k) {
       const bool given = components[k].given();

@@ -19,6 +19,9 @@ packing::Packing read_file(const document::Table& particles, int dimension,
   options.materials = names_of(materials);
   options.timestep = particles.optional_integer(particles_keys.timestep);
   if (particles.optional(particles_keys.columns)) options.columns = particles.strings(particles_keys.columns);
+  if (particles.has("columns") && options.columns.empty())
+    throw particles.error("columns", "no column is named",
+                          "name each, such as [\"x\", \"y\", \"z\", \"radius\"], or remove columns");
   const std::string file = read(particles, particles_keys.file);
   packing::Packing read =
       placed(particles, "file", [&] { return packing::read_packing(folder / file, options); });

@@ -136,3 +136,11 @@ TEST_CASE("velocities of a packing are those of the file plus a velocity and a g
   for (const scree::Body& b : bodies)
     CHECK(b.velocity == (b.id == 7 ? scree::Vec3{{2, 4, 0}} : scree::Vec3{{2, -8, 2}}));
 }
+
+TEST_CASE("an empty list of columns is refused", "[scenario]") {
+  const TemporaryFolder folder;
+  folder.write("two.csv", "0 0 0.01\n");
+  const auto file = folder.write("scene.toml", scene_with_keys("columns = []\n"));
+  CHECK_THROWS_WITH(scree::scenario::read_plan(file, {}, scree::test::host()),
+                    Catch::Contains("no column is named; name each"));
+}

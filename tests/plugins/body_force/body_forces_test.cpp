@@ -1,3 +1,4 @@
+#include "error_line.hpp"
 #include "scenes.hpp"
 
 #include <cmath>
@@ -81,6 +82,12 @@ TEST_CASE("gravity: components that are functions of time accelerate every body 
   CHECK(coarse[1] < 2e-4);
   CHECK(coarse[2] < 1e-1);
   for (std::size_t k = 0; k < 3; ++k) CHECK(std::log2(coarse[k] / fine[k]) == Approx(2).margin(0.2));
+}
+
+TEST_CASE("gravity: in two dimensions there is no acceleration along z", "[gravity]") {
+  Scene sc = scene(2, 1e-4, {body(1, 0.1, 2, {}, {}, {}, 2)}, elastic);
+  add_body_force(sc, "gravity", {{"acceleration", {0, 0, 0}}, {"acceleration_z", {0, -9.81}}});
+  CHECK_THAT(error_line([&] { Simulation s(sc); }), Catch::Contains("has no acceleration_z; remove it"));
 }
 
 TEST_CASE("gravity: the balance closes to second order where g has corners and jumps within steps",

@@ -1,3 +1,4 @@
+#include "error_line.hpp"
 #include "layer_support.hpp"
 
 #include <catch2/catch.hpp>
@@ -146,7 +147,7 @@ TEST_CASE("layer: has only bodies that a scenario chooses, also after an interru
   again.check_restored(SimulationView(s, 0).get());
   CHECK(sampled(again, s).row == layer.row);
   const Simulation smaller(carried(3));
-  CHECK_THAT(message_of([&] { again.check_restored(SimulationView(smaller, 0).get()); }),
+  CHECK_THAT(error_line([&] { again.check_restored(SimulationView(smaller, 0).get()); }),
              Catch::Contains("leaves out some of 20 bodies"));
 }
 
@@ -155,7 +156,7 @@ TEST_CASE("layer: a body that is left out is not offered as the nearest", "[laye
   const auto refused_by = [&](std::vector<std::uint8_t> left_out) {
     Probe probe(parameters("layer", SCREE_PROBE, {{"at", {0.6}}, {"half_width", {0.05}}}), 2,
                 std::move(left_out));
-    return message_of([&] { sampled(probe, s); });
+    return error_line([&] { sampled(probe, s); });
   };
   CHECK_THAT(refused_by({0, 0, 0, 0, 0}), Catch::Contains("the nearest is body 4 at"));
   CHECK_THAT(refused_by({0, 0, 0, 1, 0}), Catch::Contains("the nearest is body 5 at"));
