@@ -270,7 +270,8 @@ struct Box {
 
   WallMotion::Prescribed prescribed_of(int w, const BoundaryStep& s, double step) const {
     if (!strained(w)) return motions[w].prescribed(s.time, step);
-    // The exact solution of L' = −ε' L over the step; the wall's share is a half if the opposite one moves too.
+    // The exact solution of L' = −ε' L over the step; the wall's share is a half if the opposite one moves
+    // too.
     const scree::Program& rate = strain_rates[w / 2];
     const double share = strained(w ^ 1) ? 0.5 : 1;
     const double before = length(w / 2, s);

@@ -1,5 +1,5 @@
-// Parameters, normal force and slip of the laws for discs after McNamara, García-Rojo, Herrmann, "Microscopic origin
-// of granular ratcheting" (2008), [M6]-[M30]. Their tangential springs differ; see the three plug-ins.
+// Parameters, normal force and slip of the laws for discs after McNamara, García-Rojo, Herrmann, "Microscopic
+// origin of granular ratcheting" (2008), [M6]-[M30]. Their tangential springs differ; see the three plug-ins.
 
 #pragma once
 
@@ -107,8 +107,9 @@ struct Law : scree::ContactLaw {
   }
 
  private:
-  // Head-on impact with normal = area at small overlaps, 4R* F = (4/3) k √(2R*) δ^{3/2}, in units of the length L in
-  // which the spring takes up the kinetic energy, and of L/v: x″ = −x^{3/2} − c x′, by Runge-Kutta steps of 1e-3.
+  // Head-on impact with normal = area at small overlaps, 4R* F = (4/3) k √(2R*) δ^{3/2}, in units of the
+  // length L in which the spring takes up the kinetic energy, and of L/v: x″ = −x^{3/2} − c x′, by
+  // Runge-Kutta steps of 1e-3.
   Impact area_impact(const scree_encounter& e, double gamma) const {
     const double power_stiffness = normal_stiffness * std::sqrt(2 / e.effective_radius) / 3;
     const double length = std::pow(e.reduced_mass * e.speed * e.speed / power_stiffness, 0.4);

@@ -1,4 +1,5 @@
-// Discs with a tangential spring between painted points, after McNamara, García-Rojo, Herrmann (2008), [M18]-[M22].
+// Discs with a tangential spring between painted points, after McNamara, García-Rojo, Herrmann (2008),
+// [M18]-[M22].
 
 #include "disc.hpp"
 #include "spring_rate.hpp"

@@ -1,4 +1,5 @@
-// Discs with the tangential spring of Cundall and Strack, after McNamara, García-Rojo, Herrmann (2008), [M6]-[M11].
+// Discs with the tangential spring of Cundall and Strack, after McNamara, García-Rojo, Herrmann (2008),
+// [M6]-[M11].
 
 #include "disc.hpp"
 

@@ -1,5 +1,6 @@
-// Hertzian normal force with its dashpot, and stiffness and damping of the tangential spring after Mindlin, from the
-// moduli of two bodies: Lemrich, Johnson, Guyer, Jia, Carmeliet (2017), [L2]-[L5], and the closed forms of the law.
+// Hertzian normal force with its dashpot, and stiffness and damping of the tangential spring after Mindlin,
+// from the moduli of two bodies: Lemrich, Johnson, Guyer, Jia, Carmeliet (2017), [L2]-[L5], and the closed
+// forms of the law.
 
 #pragma once
 
@@ -74,8 +75,8 @@ struct Hertz {
     return n;
   }
 
-  // History potential, damped: k_t ξ reaches μ f_n soon after first touch, at t_s, before which the spring grows as t and
-  // after which the limit, of the dashpot, grows as δ^(1/4):
+  // History potential, damped: k_t ξ reaches μ f_n soon after first touch, at t_s, before which the spring
+  // grows as t and after which the limit, of the dashpot, grows as δ^(1/4):
   //   k_t v_t t_s = μ γ_n v_n  at  δ = v_n t_s:  (t_s/t_c)^(5/4) = 0.0865 (E*/G*) μ β/tan α,  tan α = v_t/v_n
   // The extra normal force has a peak there and then falls as 1/t. Its share of the normal impulse is about
   // (5/24) (E*/G*) (μ β)². Four steps in t_s resolve it. 0: the share is below 1e-3.

@@ -1,5 +1,5 @@
-// Linear spring and dashpot along the normal, after David, García-Rojo, Herrmann, Luding (2005), [D1], and the closed
-// forms of the law.
+// Linear spring and dashpot along the normal, after David, García-Rojo, Herrmann, Luding (2005), [D1], and
+// the closed forms of the law.
 
 #pragma once
 

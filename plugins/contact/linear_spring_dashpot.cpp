@@ -75,7 +75,8 @@ struct LinearSpringDashpot : scree::ContactLaw {
     return slip_rule == 0 ? Friction::spring : Friction::total;
   }
 
-  // Whether friction falls as slip begins, at a moment within the step. As printed, [D4] falls at the end of it.
+  // Whether friction falls as slip begins, at a moment within the step. As printed, [D4] falls at the end of
+  // it.
   bool limit_falls() const {
     const Friction model = friction_model();
     return (model == Friction::undamped || model == Friction::spring) && tangent.limit_falls();

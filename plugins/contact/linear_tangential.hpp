@@ -1,5 +1,5 @@
-// Parameters of a linear tangential spring with a dashpot, and of static and dynamic friction: David et al. (2005),
-// [D2]-[D4].
+// Parameters of a linear tangential spring with a dashpot, and of static and dynamic friction: David et al.
+// (2005), [D2]-[D4].
 
 #pragma once
 

@@ -1,5 +1,6 @@
-// Tangential spring between a point painted on each of two touching spheres, or on a sphere and a wall: its elongation
-// as a function of the present configuration, its generalised forces, and how slip moves the points.
+// Tangential spring between a point painted on each of two touching spheres, or on a sphere and a wall: its
+// elongation as a function of the present configuration, its generalised forces, and how slip moves the
+// points.
 
 #pragma once
 
@@ -39,14 +40,15 @@ struct Points {
   scree::Vec<3, T> b;  // likewise; of a wall x_a − x_w when it was painted (m)
 };
 
-// The pair in its present configuration. AnyContact reads the normal, the overlap, relative velocity and spin, orientations,
-// separation and radii.
+// The pair in its present configuration. AnyContact reads the normal, the overlap, relative velocity and
+// spin, orientations, separation and radii.
 template <class T, class AnyContact>
 class PaintedPair {
  public:
-  // Arc from the contact to a painted point (rad) beyond which both are painted anew: a compromise between closed paths,
-  // on which spheres under cyclic loads turn by 0.003 to 0.01 rad, and twist while they roll, which stretches the spring
-  // in proportion to the arcs. Less than scree::longest_arc by what a pair may turn in a step.
+  // Arc from the contact to a painted point (rad) beyond which both are painted anew: a compromise between
+  // closed paths, on which spheres under cyclic loads turn by 0.003 to 0.01 rad, and twist while they roll,
+  // which stretches the spring in proportion to the arcs. Less than scree::longest_arc by what a pair may
+  // turn in a step.
   static constexpr double arc_limit = 0.1;
 
   explicit PaintedPair(const AnyContact& c)
@@ -67,9 +69,10 @@ class PaintedPair {
     return {c_.radius_a * arc_a, choose(wall_, along_wall, -c_.radius_b * arc_b)};
   }
 
-  // Share of a at first touch, of points that were at the contact when it began, from the displacement `moved` (m) of
-  // the contact points since then; the rest is that of b. Of points elsewhere, which roll as far with another twist, ξ would
-  // err by the first order of the step. ξ' = R_a u_a + R_b u_b with u = n' − ω × n of either body.
+  // Share of a at first touch, of points that were at the contact when it began, from the displacement
+  // `moved` (m) of the contact points since then; the rest is that of b. Of points elsewhere, which roll as
+  // far with another twist, ξ would err by the first order of the step. ξ' = R_a u_a + R_b u_b with u = n' −
+  // ω × n of either body.
   scree::Vec<3, T> first_share_of_a(const scree::Vec<3, T>& moved) const {
     const auto turn = touching_time() * cross(c_.relative_spin, c_.normal);
     const T part = wall_ ? T(0) : c_.radius_a / (c_.radius_a + c_.radius_b);
@@ -77,15 +80,17 @@ class PaintedPair {
     return fused(-lever, turn, part * moved);
   }
 
-  // ξ' in the tangent plane that turns with the mean spin about the normal, where points fixed to the bodies turn about the
-  // contact by ± half the relative spin: rate (m/s) of points at the contact, and what the shares of others add.
+  // ξ' in the tangent plane that turns with the mean spin about the normal, where points fixed to the bodies
+  // turn about the contact by ± half the relative spin: rate (m/s) of points at the contact, and what the
+  // shares of others add.
   scree::Vec<3, T> stretching(const Shares<T>& s, const scree::Vec<3, T>& at_contact) const {
     return fused(half_twist_rate(), cross(c_.normal, s.a - s.b), at_contact);
   }
 
-  // Share of either point painted anew: half of the spring. Arcs φ have stretched it across them by the mean of φ/sin φ;
-  // kept, that would grow at every painting of a pair that rolls straight on. With the difference d of the shares, and x
-  // the mean of φ²/6, the part of ξ across d is multiplied by 1 − x − x²/2: less than the stretching, by up to 0.022 φ⁴.
+  // Share of either point painted anew: half of the spring. Arcs φ have stretched it across them by the mean
+  // of φ/sin φ; kept, that would grow at every painting of a pair that rolls straight on. With the difference
+  // d of the shares, and x the mean of φ²/6, the part of ξ across d is multiplied by 1 − x − x²/2: less than
+  // the stretching, by up to 0.022 φ⁴.
   scree::Vec<3, T> painted_anew(const Shares<T>& s) const {
     const auto spring = s.a + s.b, apart = s.a - s.b;
     const T curvature = T(1.0 / 48) * scree::fused(inverse_radius_a_, inverse_radius_a_,
@@ -96,7 +101,8 @@ class PaintedPair {
     return T(0.5) * fused(-shortening, across, spring);
   }
 
-  // Shares after slip (m), half of it from each, at any time of the step: until its end it turned with the bodies.
+  // Shares after slip (m), half of it from each, at any time of the step: until its end it turned with the
+  // bodies.
   Shares<T> slipped(const Shares<T>& s, const scree::Vec<3, T>& slip) const {
     const auto turned = (T(0.5) * c_.step * half_twist_rate()) * cross(c_.normal, slip);
     return {s.a - T(0.5) * (slip + turned), s.b - T(0.5) * (slip - turned)};
@@ -114,10 +120,10 @@ class PaintedPair {
             choose(wall_, c_.separation - s.b, rotated_back(c_.orientation_b, on_b))};
   }
 
-  // Tension k ξ + f_d of spring and dashpot (N), as loads: −∂/∂q of ½ k ξ², and −f_d in the directions in which a
-  // tension acts while both points are at the contact, so that its power is −f_d·ξ′ with ξ′ of SpringRate.
-  // With S = R_a + R_b, X: distance of the centres, κ(φ) = (1 − φ cot φ)/φ² of the arcs φ, m_a = (κ_a/R_a) a,
-  // m_b = (κ_b/R_b) b, θ = k ξ·(C × a) = −k ξ·(C × b):
+  // Tension k ξ + f_d of spring and dashpot (N), as loads: −∂/∂q of ½ k ξ², and −f_d in the directions in
+  // which a tension acts while both points are at the contact, so that its power is −f_d·ξ′ with ξ′ of
+  // SpringRate. With S = R_a + R_b, X: distance of the centres, κ(φ) = (1 − φ cot φ)/φ² of the arcs φ, m_a =
+  // (κ_a/R_a) a, m_b = (κ_b/R_b) b, θ = k ξ·(C × a) = −k ξ·(C × b):
   //   force of the spring  = −(S k ξ − θ C × (m_a − m_b))/X
   //   torque on a          = −R_a (C × k ξ + θ (m_a + C)), likewise on b; less arm_a C × force it is the
   //   couple               = e C × k ξ − θ ((arm_b m_a + arm_a m_b)/X + C),   arms R − δ/2, e of SpringRate

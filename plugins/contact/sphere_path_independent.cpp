@@ -1,5 +1,5 @@
-// Spheres with a tangential spring between painted points, after McNamara, García-Rojo, Herrmann (2008), [M18]-[M30],
-// taken to three dimensions; the normal force is that of David et al. (2005), [D1], or Hertz's.
+// Spheres with a tangential spring between painted points, after McNamara, García-Rojo, Herrmann (2008),
+// [M18]-[M30], taken to three dimensions; the normal force is that of David et al. (2005), [D1], or Hertz's.
 
 #include "hertz_normal.hpp"
 #include "linear_normal.hpp"

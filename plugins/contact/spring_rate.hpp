@@ -1,5 +1,5 @@
-// Rate of path-independent tangential springs of discs, [M24] and [M25], and of spheres whose painted points are at the
-// contact.
+// Rate of path-independent tangential springs of discs, [M24] and [M25], and of spheres whose painted points
+// are at the contact.
 
 #pragma once
 
@@ -9,8 +9,8 @@ namespace tangential {
 
 // D_t′ = α v·t − R_a ω_a − R_b ω_b, α = (R_a + R_b)/|x_a − x_b| (beside a wall 1), as
 //   D_t′ = α V_t + e (ω_a − ω_b),   e = δ (R_a − R_b)/(2 |x_a − x_b|) (beside a wall −δ/2),
-// where V_t has arms to the contact point, R − δ/2. The generalised forces of T = k_t D_t are −α T along t on a
-// and torques T R_a, T R_b [M30]; those of −α T with these arms differ by the couple −e T on a, e T on b.
+// where V_t has arms to the contact point, R − δ/2. The generalised forces of T = k_t D_t are −α T along t on
+// a and torques T R_a, T R_b [M30]; those of −α T with these arms differ by the couple −e T on a, e T on b.
 template <class T>
 struct SpringRate {
   T stretch;           // α

@@ -35,7 +35,8 @@ struct MeanSquaredDisplacementProbe {
     return {names[c], "m^2", c == 0 ? "sum over the axes" : "part along the axis"};
   }
 
-  // State: t_0; number of complete windows; sums over them along x, y, z; positions at t_0; indices of a list.
+  // State: t_0; number of complete windows; sums over them along x, y, z; positions at t_0; indices of a
+  // list.
   std::uint64_t count(const scree_view& view) const {
     return bodies.size() ? bodies.size() : view.body_count;
   }

@@ -36,7 +36,8 @@ struct TouchingProbe {
     return {"last_touch_" + id, "s", "time of the last of these; that of the first observation before"};
   }
 
-  // State: number of observations; of each body the number in which it touched, the time of the last, its index.
+  // State: number of observations; of each body the number in which it touched, the time of the last, its
+  // index.
   std::string start(const scree_view& view, double* state) const {
     std::fill_n(state, 1 + 2 * bodies.size(), 0.0);
     return bodies.find(view, indices(state));

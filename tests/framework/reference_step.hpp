@@ -134,8 +134,9 @@ class ReferenceStep {
     return -(std::min(size, limit) / norm(whole)) * whole;
   }
 
-  // Where slip begins, at a moment within the step, the spring falls to the dynamic limit, and the force of this step
-  // makes up for the moment; where slip ends, for that at which the limit of the sum rises to the static one.
+  // Where slip begins, at a moment within the step, the spring falls to the dynamic limit, and the force of
+  // this step makes up for the moment; where slip ends, for that at which the limit of the sum rises to the
+  // static one.
   Vec3 falling(ReferenceContact& c, const Vec3& before, const Vec3& trial, const Vec3& dashpot,
                const Vec3& v_t, double pressing, double h) const {
     const double k = law_.k_t, still = law_.static_friction * pressing,

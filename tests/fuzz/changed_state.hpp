@@ -100,7 +100,8 @@ inline void change_array(State& state, const std::string& path, Input& input) {
   state.put(path, std::move(array));
 }
 
-// A state with changes that the input chooses, and another hash, which need not fit. texts: whether a text was changed.
+// A state with changes that the input chooses, and another hash, which need not fit. texts: whether a text
+// was changed.
 inline State changed(State state, std::span<const std::uint8_t> bytes, bool& texts) {
   std::vector<std::string> paths;
   for (const auto& [path, array] : state.arrays()) paths.push_back(path);

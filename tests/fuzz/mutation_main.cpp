@@ -9,9 +9,9 @@
 #include <iterator>
 #include <vector>
 
-// Runs a fuzz target without libFuzzer, for any compiler: mutates seeds at random, always the same way, for a number
-// of seconds. Usage: <target> FINDING SECONDS FOLDER-OR-SEED...
-// Prints the number of inputs. The input that ends the program is in the file FINDING.
+// Runs a fuzz target without libFuzzer, for any compiler: mutates seeds at random, always the same way, for a
+// number of seconds. Usage: <target> FINDING SECONDS FOLDER-OR-SEED... Prints the number of inputs. The input
+// that ends the program is in the file FINDING.
 
 namespace {
 
@@ -41,7 +41,8 @@ void insert(const char* text) {
   input.insert(input.begin() + std::ptrdiff_t(at), text, text + std::strlen(text));
 }
 
-// One change: a byte, a part left out, doubled or taken from another seed, or a piece that often causes trouble.
+// One change: a byte, a part left out, doubled or taken from another seed, or a piece that often causes
+// trouble.
 void mutate(const std::vector<Bytes>& seeds) {
   static constexpr const char* pieces[] = {
       "0",  "-1", "1e308", "1e-320", "nan", "inf",  "99999999999999999999",

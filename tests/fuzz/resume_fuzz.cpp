@@ -159,8 +159,8 @@ Interrupted interrupted_load(const test::TemporaryFolder& folder) {
   return made;
 }
 
-// Every end but success and an error with a cure is a finding: what goes on with other numbers may blow up. The
-// program prints errors in one line.
+// Every end but success and an error with a cure is a finding: what goes on with other numbers may blow up.
+// The program prints errors in one line.
 void check_end(const std::function<void()>& work) {
   try {
     work();
@@ -171,8 +171,8 @@ void check_end(const std::function<void()>& work) {
 
 }  // namespace
 
-// States with a right seal and wrong content: the input changes numbers, types, shapes and texts of the state of a
-// run, a sweep or a quasi-static load that was interrupted, which then goes on.
+// States with a right seal and wrong content: the input changes numbers, types, shapes and texts of the state
+// of a run, a sweep or a quasi-static load that was interrupted, which then goes on.
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const test::TemporaryFolder folder;
   static const std::vector<Interrupted> all = {interrupted_run(folder), interrupted_sweep(folder),

@@ -23,8 +23,8 @@ std::string sample_bytes(const fs::path& file) {
 
 }  // namespace
 
-// A state file: the input as it is, and a sound file of which the input changes bytes (two bytes for the place, one
-// for the value), with a right seal, so that the change is left to the reader of HDF5.
+// A state file: the input as it is, and a sound file of which the input changes bytes (two bytes for the
+// place, one for the value), with a right seal, so that the change is left to the reader of HDF5.
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const fs::path file =
       fs::temp_directory_path() / ("scree_fuzz_state_" + std::to_string(getpid()) + ".h5");

@@ -123,8 +123,8 @@ class Pair {
     place(y, {e.a - half, e.b - half});
   }
 
-  // Half of the spring for each point. Across the direction from one to the other arcs φ have stretched it by the mean of
-  // φ/sin φ, which is taken back.
+  // Half of the spring for each point. Across the direction from one to the other arcs φ have stretched it by
+  // the mean of φ/sin φ, which is taken back.
   void paint_far_points_anew(Rows& y) const {
     const Elongation e = elongation(y);
     const double arc_b = wall_ ? 0 : norm(e.b) / b_.radius;

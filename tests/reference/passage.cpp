@@ -163,7 +163,8 @@ void Passage::switch_grip() {
   }
 }
 
-// The spring jumps as sliding begins, with SlipRule::total or to a lower limit, which no force has worked for.
+// The spring jumps as sliding begins, with SlipRule::total or to a lower limit, which no force has worked
+// for.
 void Passage::jump(State& state, const Instant& before) const {
   const Instant after = motion_.instant(state, branch_);
   state[at::friction] +=

@@ -7,8 +7,8 @@
 
 namespace scree::test {
 
-// Changes an array of a state file, as others can: the file has a right seal again, and its hash says nothing.
-// change: takes a StateArray, and may change it.
+// Changes an array of a state file, as others can: the file has a right seal again, and its hash says
+// nothing. change: takes a StateArray, and may change it.
 template <class Change>
 void change_state(const std::filesystem::path& file, const std::string& path, const Change& change) {
   State state = state_file::read_state(file);

@@ -5,8 +5,8 @@
 
 namespace scree::test {
 
-// While it lives no thread can be started, as under a limit of processes: each would have a stack larger than any
-// memory.
+// While it lives no thread can be started, as under a limit of processes: each would have a stack larger than
+// any memory.
 class NoThreads {
  public:
   NoThreads() {

@@ -199,7 +199,8 @@ TEST_CASE("a disk that fills up stops the run and keeps the files written before
   CHECK(cut < longest);
 }
 
-// On a file system of its own in memory, as "disk", where this is allowed; status 77 where not. Afterwards it is in "out".
+// On a file system of its own in memory, as "disk", where this is allowed; status 77 where not. Afterwards it
+// is in "out".
 static Outcome on_small_disk(const Workspace& w, const std::string& size, const std::string& arguments) {
   return w.shell(
       "mkdir -p out disk\nunshare -m true 2> no || exit 77\nexec unshare -m sh -c '"

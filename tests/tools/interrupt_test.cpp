@@ -6,7 +6,8 @@ namespace {
 
 const std::string endless_scene = with(discs, "duration = 1e-4", "duration = 5000");
 
-// Starts an endless run in the background, as $run, where a shell has its children ignore Ctrl-C; it is killed after 30 s.
+// Starts an endless run in the background, as $run, where a shell has its children ignore Ctrl-C; it is
+// killed after 30 s.
 const std::string begin_run = "'" SCREE_TEST_PROGRAM
                               "' run scene.toml --out out --quiet &\nrun=$!\n"
                               "(sleep 30; kill -KILL $run) > /dev/null 2>&1 &\ntrap \"kill $!\" EXIT\n"

@@ -70,8 +70,8 @@ std::string scenario(bool loaded) {
 
 }  // namespace
 
-// What the forces on the walls lack of their pressure after the stages, as a share of the load, may be missing in every change, before
-// and after it; the response bends by 1e-4.
+// What the forces on the walls lack of their pressure after the stages, as a share of the load, may be
+// missing in every change, before and after it; the response bends by 1e-4.
 TEST_CASE("the straight paths of a linear response are those of a packing under a small load", "[tools]") {
   Workspace w(scenario(false));
   const Outcome response = w.scree("modes scene.toml --loads --modes 1 --set time.step=1.4e-3 --out out");
@@ -81,7 +81,8 @@ TEST_CASE("the straight paths of a linear response are those of a packing under 
   REQUIRE(under_load.scree("run scene.toml --quiet --set time.step=1.4e-3 --out out").status == 0);
   const auto box = rows_of_table(under_load.text("out/series/box.csv")),
              contact = rows_of_table(under_load.text("out/series/contact.csv"));
-  // Force of the contacts on the upper and the right wall, less the pressure of 1 Pa on it. Side walls bear a part of what the others lack.
+  // Force of the contacts on the upper and the right wall, less the pressure of 1 Pa on it. Side walls bear a
+  // part of what the others lack.
   const auto pressed = rows_of_table(under_load.text("out/series/walls.csv"));
   const double missing =
       std::max(std::abs(last_of(pressed, column_of(pressed, "normal_force_2"), 2) - last_of(box, 2, 2)),

@@ -119,7 +119,8 @@ TEST_CASE("what a plan cannot give is refused before a step is taken", "[tools]"
           "a quasi-static load is by these");
 }
 
-// A bead that gravity presses onto a floor along an inclined direction, so that its tangential spring bears a load.
+// A bead that gravity presses onto a floor along an inclined direction, so that its tangential spring bears a
+// load.
 TEST_CASE("modes and the linear method warn of laws without a derivative at rest", "[tools]") {
   const std::string inclined =
       "[time]\nstep = 1e-6\n[[material]]\nname = 'glass'\ndensity = 2500\n"

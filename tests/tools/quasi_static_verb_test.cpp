@@ -29,8 +29,8 @@ TEST_CASE("quasi-static follows the last stage, and cycles reads it", "[tools]")
   INFO(cycles.err << cycles.out);
   REQUIRE(cycles.status == 0);
   CHECK(cycles.out.find("class         ratcheting") != std::string::npos);
-  // Packing 12 by dynamics: -2.857e-9 in cycles 29 to 50 (scenarios/mcnamara2008). The increment is wrong by its square: 20 of them by
-  // 1.3 %, 40 by a quarter of that; the rate of the dynamics by as much.
+  // Packing 12 by dynamics: -2.857e-9 in cycles 29 to 50 (scenarios/mcnamara2008). The increment is wrong by
+  // its square: 20 of them by 1.3 %, 40 by a quarter of that; the rate of the dynamics by as much.
   const double slope = w.record("out", "cycles.json")["fit"]["slope"];
   CHECK(slope == Approx(-2.857e-9).epsilon(0.01));
 

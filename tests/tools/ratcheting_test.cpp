@@ -69,7 +69,8 @@ Accumulation run_ellipse(const Workspace& w, const std::string& law, double phas
 
 }  // namespace
 
-// McNamara, García-Rojo, Herrmann 2008, section IV B: the law of the tangential spring decides, with all else the same.
+// McNamara, García-Rojo, Herrmann 2008, section IV B: the law of the tangential spring decides, with all else
+// the same.
 TEST_CASE("16 discs ratchet with the spring of Cundall and Strack alone", "[tools]") {
   const Workspace w;
   for (const int seed : {3, 5}) {

@@ -9,7 +9,8 @@ namespace {
 
 const std::string folder = SCREE_TEST_SOURCE "/scenarios/lemrich2017/";
 
-// The frequency (Hz) of each peak with a name, by wavelengths. Up to 5λ/4, of which modes do not overlap, names occur once.
+// The frequency (Hz) of each peak with a name, by wavelengths. Up to 5λ/4, of which modes do not overlap,
+// names occur once.
 std::map<double, double> frequencies_of(const nlohmann::json& record) {
   std::map<double, double> frequencies;
   for (const nlohmann::json& peak : record["peaks"]["linear"]["strain.distance"]) {
@@ -54,16 +55,18 @@ TEST_CASE("slender packings have the peaks and the exponent of Lemrich et al.", 
       return frequencies_of(w.record(run, "spectrum.json"));
     };
     const std::map<double, double> low = peaks("10kPa"), high = peaks("113kPa");
-    // 1 : 3 : 5. A layer of a bead's height has about 16 beads, so that its stiffness is uncertain by a quarter and that of a quarter of
-    // a wavelength, four layers, by an eighth; frequencies by half of that, their ratios by 9 %. Twice that is allowed.
+    // 1 : 3 : 5. A layer of a bead's height has about 16 beads, so that its stiffness is uncertain by a
+    // quarter and that of a quarter of a wavelength, four layers, by an eighth; frequencies by half of that,
+    // their ratios by 9 %. Twice that is allowed.
     CHECK(low.at(0.75) / low.at(0.25) == Approx(3).epsilon(0.18));
     CHECK(low.at(1.25) / low.at(0.25) == Approx(5).epsilon(0.18));
     exponent += 0.5 * std::log(high.at(0.75) / low.at(0.75)) / std::log(11.3);
   }
   CHECK(std::abs(exponent - 1.0 / 6) < 0.03);
 
-  // The stepped sweep against the linear method at the peak. Of the transient, exp(-π 40/13) = 6e-5 is left; at ten times
-  // this drive, where rolling resistance reaches its largest torque in some contacts, both differ by 1 %.
+  // The stepped sweep against the linear method at the peak. Of the transient, exp(-π 40/13) = 6e-5 is left;
+  // at ten times this drive, where rolling resistance reaches its largest torque in some contacts, both
+  // differ by 1 %.
   const std::string scene =
       "spectrum " + folder + "spectrum.toml --quiet --set particles.state=" + prepared_state(w).string() +
       " --set boundary.periodic.upper=[3.3333e-3,1,3.3333e-3] --set boundary.bottom.area=1.1111e-5"

@@ -79,7 +79,8 @@ void print_columns(const std::vector<ColumnLine>& columns) {
   for (const ColumnLine& c : columns) fmt::print("  {:<{}}  {}\n", head(c), widest, c.meaning);
 }
 
-// A law with the values of the command line, in their dimension or, where they have none, in one in which it exists; none without values.
+// A law with the values of the command line, in their dimension or, where they have none, in one in which it
+// exists; none without values.
 std::optional<ConfiguredLaw> law_of(const scree_plugin& plugin, DescribeArguments& a) {
   if (a.values.empty()) return std::nullopt;
   if (plugin.kind != SCREE_CONTACT_LAW)

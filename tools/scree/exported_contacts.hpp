@@ -7,8 +7,8 @@
 
 namespace scree::tool {
 
-// The contacts of a state, of the last state of a run, or of one particles_*.vtp with the contacts_*.vtp beside it. Throws
-// Error if there are none to be had.
+// The contacts of a state, of the last state of a run, or of one particles_*.vtp with the contacts_*.vtp
+// beside it. Throws Error if there are none to be had.
 packing::ContactTable contacts_in(const std::filesystem::path& source, PluginHost& host);
 
 }  // namespace scree::tool

@@ -26,8 +26,9 @@ pid_t program = 0;
 
 }  // namespace
 
-// Exported by the program, so that plug-ins find them before those of the C library; what the C library itself calls
-// stays its own. Status 0 would pass for success; with others a signal handler or a child process ends.
+// Exported by the program, so that plug-ins find them before those of the C library; what the C library
+// itself calls stays its own. Status 0 would pass for success; with others a signal handler or a child
+// process ends.
 extern "C" {
 __attribute__((noreturn, visibility("default"))) void _exit(int status) {
   if (status != 0 || getpid() != program) leave(status);

@@ -7,8 +7,8 @@
 
 namespace scree {
 
-// Components of the motion of a body, and of its load: translations along x, y and z, then rotations about them. A mask
-// has the bit 1 << k for the component k.
+// Components of the motion of a body, and of its load: translations along x, y and z, then rotations about
+// them. A mask has the bit 1 << k for the component k.
 namespace freedom {
 inline constexpr int count = 6, first_rotation = 3;
 using Mask = std::uint8_t;
@@ -25,7 +25,8 @@ struct BodyGroup {
 
   std::string name;
   std::vector<std::uint32_t> bodies;  // indices
-  // Of components in which the bodies are held: (m/s), (rad/s), or (m), (rad), of which only increments count.
+  // Of components in which the bodies are held: (m/s), (rad/s), or (m), (rad), of which only increments
+  // count.
   Programs velocity, displacement;
   Programs load;  // (N), (N m) on each body
 };

@@ -34,8 +34,8 @@ class ContactColumns {
     return {{output(column, 0, i), output(column, 1, i), output(column, 2, i)}};
   }
 
-  // The columns as the argument of a law, all outputs included; valid as long as this object. kick: time for which the
-  // forces act (s), 0: without motion.
+  // The columns as the argument of a law, all outputs included; valid as long as this object. kick: time for
+  // which the forces act (s), 0: without motion.
   scree_contact_batch batch(double step, double kick = 0);
   void evaluate(const ConfiguredLaw& law, double step, double kick = 0) {
     const scree_contact_batch contacts = batch(step, kick);

@@ -19,10 +19,10 @@ inline constexpr int pair_motions = 6;
 // D, or, of rotations and spins, S: 1 in 2D and 3 in 3D.
 int motion_components(PairMotion motion, int dimension);
 
-// Exact Jacobians of a contact law: the change of force and couple of touching pairs with each motion, on the branch
-// (sticking, sliding, ...) on which the law is, with the history before the step. Onset weights count as constant.
-// Linear response and stiffness matrices are assembled from them.
-// Rows: force on a (N), D of them, then couple (N m), S.
+// Exact Jacobians of a contact law: the change of force and couple of touching pairs with each motion, on the
+// branch (sticking, sliding, ...) on which the law is, with the history before the step. Onset weights count
+// as constant. Linear response and stiffness matrices are assembled from them. Rows: force on a (N), D of
+// them, then couple (N m), S.
 class ContactJacobian {
  public:
   // Throws Error if the law has no derivatives.

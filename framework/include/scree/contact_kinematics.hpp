@@ -5,9 +5,10 @@
 #include <scree/plugin/roots.hpp>
 #include <scree/plugin/vec.hpp>
 
-// Kinematics of one touching pair: what a contact law reads follows from positions, motions and radii. The kernel
-// evaluates it for blocks of pairs at vector width, static equilibria and linear response for single pairs.
-// The partner b of body a is a body or a plane (`plane`); the normal points from b to a. T: double or float.
+// Kinematics of one touching pair: what a contact law reads follows from positions, motions and radii. The
+// kernel evaluates it for blocks of pairs at vector width, static equilibria and linear response for single
+// pairs. The partner b of body a is a body or a plane (`plane`); the normal points from b to a. T: double or
+// float.
 
 namespace scree {
 
@@ -15,7 +16,8 @@ namespace scree {
 #define SCREE_KINEMATICS [[gnu::always_inline]] inline
 
 // n × (arm_a ω_a + arm_b ω_b): contribution of the spins to the velocity of a's contact point relative to b's
-// (equation 2 of David et al., see plugins/contact/linear_spring_dashpot.cpp). Rotations (rad) give a displacement.
+// (equation 2 of David et al., see plugins/contact/linear_spring_dashpot.cpp). Rotations (rad) give a
+// displacement.
 template <int D, class T>
 SCREE_KINEMATICS Vec<D, T> rotational_velocity(const Vec<D, T>& n, const T& arm_a, const T& arm_b,
                                                const Vec<spin_components<D>, T>& spin_a,
@@ -104,8 +106,8 @@ SCREE_KINEMATICS Vec<D, T> contact_velocity(const PairDirection<D, T>& at, const
   return velocity;
 }
 
-// Tangential displacement (m) in a step (s), perpendicular to the normal in its middle. touched: share of the step
-// during which the pair has touched.
+// Tangential displacement (m) in a step (s), perpendicular to the normal in its middle. touched: share of the
+// step during which the pair has touched.
 template <bool spin, bool plane, int D, class T>
 SCREE_KINEMATICS Vec<D, T> tangential_increment(const PairDirection<D, T>& middle,
                                                 const PairStep<D, T>& motion, bool to_contact_point,

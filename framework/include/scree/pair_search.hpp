@@ -25,13 +25,14 @@ struct NeighbourPair {
   friend bool operator==(const NeighbourPair&, const NeighbourPair&) = default;
 };
 
-// Finds pairs of bodies with a hierarchy of cell grids: each body is binned in the level of its size and paired
-// with bodies of its own and coarser levels, so that a size ratio of 1:100 costs no more than 1:2. Memory is
-// reused by the next search.
+// Finds pairs of bodies with a hierarchy of cell grids: each body is binned in the level of its size and
+// paired with bodies of its own and coarser levels, so that a size ratio of 1:100 costs no more than 1:2.
+// Memory is reused by the next search.
 class PairSearch {
  public:
-  // Images of a pair in a periodic domain: `unique` refuses lengths under twice the largest reach, where a pair could
-  // touch through two images; with `nearest` any length will do, and only the nearest image is seen.
+  // Images of a pair in a periodic domain: `unique` refuses lengths under twice the largest reach, where a
+  // pair could touch through two images; with `nearest` any length will do, and only the nearest image is
+  // seen.
   enum class Images { unique, nearest };
 
   // most_pairs: 0 for as many as fit into memory.

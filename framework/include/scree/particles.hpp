@@ -25,7 +25,8 @@ struct Body {
   Vec3 position = {};          // (m)
   Vec3 velocity = {};          // (m/s)
   Vec3 spin = {};              // (rad/s)
-  // No force moves or turns it: its velocity and spin are those given, or those of its BodyGroup, as of a wall.
+  // No force moves or turns it: its velocity and spin are those given, or those of its BodyGroup, as of a
+  // wall.
   bool fixed = false;
   freedom::Mask held = 0;  // the same of some components, of a body that is not fixed
 };
@@ -89,7 +90,8 @@ class Particles {
   Strided<const double> inverse_mass() const {
     return {records_.data() + record::motion + 3, width(), size()};
   }
-  // (1/kg) in a contact with a wall, in which a fixed body has its own mass: of the two, no mass would be left.
+  // (1/kg) in a contact with a wall, in which a fixed body has its own mass: of the two, no mass would be
+  // left.
   double inverse_mass_at_wall(std::size_t i) const { return 1 / mass[i]; }
 
   // Mid-step velocity (m/s) and spin (rad/s): displacement / step. Written by the integrator, used within a

@@ -37,8 +37,8 @@ class PluginHost {
   // Names of all libraries of a kind in the directories, without loading them.
   std::vector<std::string> names(scree_kind kind) const;
   const std::vector<std::filesystem::path>& directories() const { return directories_; }
-  // A line "<what>; <cure>" for each loaded contact law that has only the baseline build although this processor
-  // supports a faster one. Empty if SCREE_LEVEL selects a level.
+  // A line "<what>; <cure>" for each loaded contact law that has only the baseline build although this
+  // processor supports a faster one. Empty if SCREE_LEVEL selects a level.
   std::vector<std::string> slow_laws() const;
   // Path of the baseline library of a name; empty if there is none.
   std::filesystem::path locate(const std::string& name, scree_kind kind) const;

@@ -14,8 +14,8 @@ namespace scree {
 // Read-only view of a simulation for probes; valid until the next step.
 class SimulationView {
  public:
-  // needs: SCREE_NEEDS_CONTACTS takes a loop over all pairs, SCREE_NEEDS_ENERGY one over all bodies. end_time: (s) of the
-  // run, if it is known.
+  // needs: SCREE_NEEDS_CONTACTS takes a loop over all pairs, SCREE_NEEDS_ENERGY one over all bodies.
+  // end_time: (s) of the run, if it is known.
   SimulationView(const Simulation& simulation, std::uint32_t needs,
                  double end_time = std::numeric_limits<double>::quiet_NaN());
   SimulationView(const SimulationView&) = delete;
@@ -37,11 +37,12 @@ class SimulationView {
 // A configured probe and its state, such as reference lengths. The first call that is given a view starts it.
 class Probe {
  public:
-  // left_out: 1 for bodies that it does not count; empty: it counts all. Throws Error if the plug-in refuses its parameters
-  // or names columns as a CSV file cannot.
+  // left_out: 1 for bodies that it does not count; empty: it counts all. Throws Error if the plug-in refuses
+  // its parameters or names columns as a CSV file cannot.
   Probe(const Parameters& parameters, int dimension, std::vector<std::uint8_t> left_out = {});
 
-  // Names and units of the columns, without the time column, and what they mean; empty where the plug-in says nothing.
+  // Names and units of the columns, without the time column, and what they mean; empty where the plug-in says
+  // nothing.
   std::vector<std::string> names() const { return names_; }
   std::vector<std::string> units() const { return units_; }
   std::vector<std::string> meanings() const;

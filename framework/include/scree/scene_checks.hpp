@@ -15,7 +15,8 @@ std::size_t plane_count(const Scene& scene);
 // The periodic domain that the boundaries of a scene define together. Also throws if two boundaries define
 // the same axis.
 Domain periodic_domain(const Scene& scene);
-// Whether the walls of a boundary of a scene follow one of its functions of time: with another control it has no effect.
+// Whether the walls of a boundary of a scene follow one of its functions of time: with another control it has
+// no effect.
 bool has_effect(const Scene& scene, const Parameters& boundary, const std::string& program);
 // The first function of time of a body force that varies, "gravity.acceleration_x"; none if all are constant.
 std::optional<std::string> varying_body_force(const Scene& scene);

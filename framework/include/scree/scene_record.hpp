@@ -43,7 +43,8 @@ std::vector<Body> bodies_at_start(const State& state);
 std::vector<BodyGroup> groups_of(const State& state);
 std::vector<BodySelection> selections_of(const State& state);
 
-// What a run that goes on takes from its state in place of the tables of bodies. Throws Error as bodies_at_start().
+// What a run that goes on takes from its state in place of the tables of bodies. Throws Error as
+// bodies_at_start().
 struct RecordedBodies {
   std::vector<Body> bodies;  // at t = 0
   std::vector<BodyGroup> groups;

@@ -57,18 +57,19 @@ class Simulation {
   void measure(Profile* profile);
 
   // Set new parameters for a law, boundary or body force by name, between steps; histories and wall positions
-  // are kept. Functions of time start again, except those of the keys that go on. Throw Error for an unknown name or for
-  // parameters that change the layout of the scene.
+  // are kept. Functions of time start again, except those of the keys that go on. Throw Error for an unknown
+  // name or for parameters that change the layout of the scene.
   void reconfigure_law(const std::string& name, const Parameters& parameters);
   void reconfigure_boundary(const std::string& name, const Parameters& parameters,
                             const std::vector<std::string>& going_on = {});
   void reconfigure_body_force(const std::string& name, const Parameters& parameters,
                               const std::vector<std::string>& going_on = {});
-  // Throws Error if such new parameters of a boundary would bring back a wall that is absent, with bodies behind it.
+  // Throws Error if such new parameters of a boundary would bring back a wall that is absent, with bodies
+  // behind it.
   void check_returning_walls(const std::string& name, const Parameters& parameters,
                              const std::vector<std::string>& going_on = {});
-  // Must be called after reconfigurations, before the next step. Throws Error if a wall that was absent has bodies
-  // behind it.
+  // Must be called after reconfigurations, before the next step. Throws Error if a wall that was absent has
+  // bodies behind it.
   void apply_reconfiguration();
 
   int dimension() const;
@@ -89,16 +90,19 @@ class Simulation {
   Vec3 lengths() const;
   const Vec3& lengths_at_start() const;
   ContactList contact_list() const;
-  // How forces move the walls about their present state. Throws Error if a boundary states numbers that are not
-  // finite, a negative mass or viscosity, or a direction that is no unit vector.
+  // How forces move the walls about their present state. Throws Error if a boundary states numbers that are
+  // not finite, a negative mass or viscosity, or a direction that is no unit vector.
   WallEquations linear_walls() const;
-  // The same at another time (s) of the present stage, with the walls elsewhere: as many planes as this simulation has.
+  // The same at another time (s) of the present stage, with the walls elsewhere: as many planes as this
+  // simulation has.
   WallEquations linear_walls(double time, const std::vector<scree_plane>& planes) const;
-  // What the law of a pair of the contact list keeps in a history column; 0 for columns that it does not have.
+  // What the law of a pair of the contact list keeps in a history column; 0 for columns that it does not
+  // have.
   double contact_history(std::size_t pair, std::uint32_t column) const;
   // What was taken over from a state, "walls of 'box'"; empty for a new packing.
   const std::vector<std::string>& taken_over() const;
-  // What was lost of a state from which the simulation began, "<what>; <cure>". Its energy counts as dissipated.
+  // What was lost of a state from which the simulation began, "<what>; <cure>". Its energy counts as
+  // dissipated.
   const std::vector<std::string>& let_go() const;
 
   scree_energy energy() const;
@@ -120,13 +124,13 @@ class Simulation {
   // Everything that the simulation is, between two steps: its scene (see scene_record.hpp) and what has
   // changed since the start.
   State state() const;
-  // The same in two parts: what changes, copied between two steps, and what stays as it was at the start (bodies and
-  // their first motion), which may be added by another thread while the simulation goes on.
+  // The same in two parts: what changes, copied between two steps, and what stays as it was at the start
+  // (bodies and their first motion), which may be added by another thread while the simulation goes on.
   State changing_state() const;
   void add_unchanging_state(State& state) const;
-  // The state of this simulation with its bodies and walls at rest in other places, with other contacts, at another time
-  // of the present stage, rounded to whole steps. All else is as it is now. Throws Error if a contact is listed whose
-  // bodies are apart.
+  // The state of this simulation with its bodies and walls at rest in other places, with other contacts, at
+  // another time of the present stage, rounded to whole steps. All else is as it is now. Throws Error if a
+  // contact is listed whose bodies are apart.
   State state_at_rest(const RestingPacking& packing) const;
   Footprint footprint() const;
 

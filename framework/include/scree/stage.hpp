@@ -43,9 +43,9 @@ class StageRunner {
   // columns: needed if conditions read columns of probes; else null.
   StageRunner(Simulation& simulation, std::vector<Stage> stages,
               std::shared_ptr<StageColumns> columns = nullptr);
-  // Goes on within the stage in which the state was saved; if all had ended, within the last one if its duration
-  // is longer now. The simulation has the parameters of that stage already. Throws Error if a duration is
-  // shorter than the time that the stage has taken.
+  // Goes on within the stage in which the state was saved; if all had ended, within the last one if its
+  // duration is longer now. The simulation has the parameters of that stage already. Throws Error if a
+  // duration is shorter than the time that the stage has taken.
   StageRunner(Simulation& simulation, std::vector<Stage> stages, const StateTransfer& state,
               std::shared_ptr<StageColumns> columns = nullptr);
   void save(const StateTransfer& state) const;
@@ -67,8 +67,8 @@ class StageRunner {
   std::optional<double> progress() const;
   // How the stage before this one ended, or the last one if all have.
   StageEnd last_end() const { return last_end_; }
-  // The values of this stage's conditions at their last test, "kinetic_over_elastic = 0.02, below 1e-06"; empty before
-  // the first, and of a stage with a duration.
+  // The values of this stage's conditions at their last test, "kinetic_over_elastic = 0.02, below 1e-06";
+  // empty before the first, and of a stage with a duration.
   std::string status() const;
 
  private:

@@ -6,8 +6,8 @@
 
 namespace scree {
 
-// An error of what is in a state: an array is missing, or is not what its owner takes. Its place is empty, since a
-// state does not know its file.
+// An error of what is in a state: an array is missing, or is not what its owner takes. Its place is empty,
+// since a state does not know its file.
 class StateError : public Error {
  public:
   using Error::Error;

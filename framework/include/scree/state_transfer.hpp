@@ -40,9 +40,9 @@ constexpr StoredRange usual() {
 
 // Saves numbers into a state, or restores them from one, so that each part of a program lists what it keeps
 // only once. Paths are relative to a group. Restoring throws Error if an array is missing, has another type
-// of numbers, another unit or another shape than its owner gives it, or a number out of its range: without a range
-// one that is not finite. What depends on other arrays, such as an index, is checked by its owner, by a range or
-// refuse().
+// of numbers, another unit or another shape than its owner gives it, or a number out of its range: without a
+// range one that is not finite. What depends on other arrays, such as an index, is checked by its owner, by a
+// range or refuse().
 class StateTransfer {
  public:
   static StateTransfer saving_to(State& state) { return {&state, nullptr, ""}; }

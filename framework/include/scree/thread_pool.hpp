@@ -43,8 +43,8 @@ class ThreadPool {
         &task);
   }
 
-  // Calls task(item, worker) for the items 0 ... count − 1, which are started in this order: for long items of which
-  // the first are wanted if the loop ends early. After an exception no further item is started.
+  // Calls task(item, worker) for the items 0 ... count − 1, which are started in this order: for long items
+  // of which the first are wanted if the loop ends early. After an exception no further item is started.
   template <class Task>
   void each_in_order(std::size_t count, const Task& task) {
     std::atomic<std::size_t> next = 0;

@@ -7,12 +7,13 @@
 #include <thread>
 #include <vector>
 
-// Work beside the calling thread that is done as well where no thread is to be had, as under a limit of processes.
+// Work beside the calling thread that is done as well where no thread is to be had, as under a limit of
+// processes.
 
 namespace scree {
 
-// Does work in a thread of its own; where none can be started, before this returns. Exceptions come with get().
-// has_thread: set to whether it has one.
+// Does work in a thread of its own; where none can be started, before this returns. Exceptions come with
+// get(). has_thread: set to whether it has one.
 template <class Work>
 auto in_background(Work work, bool* has_thread = nullptr) {
   const auto shared = std::make_shared<Work>(std::move(work));

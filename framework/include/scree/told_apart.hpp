@@ -6,7 +6,8 @@
 
 namespace scree {
 
-// Two numbers with `digits` significant digits or, if they differ and would read alike, with as many more as they need.
+// Two numbers with `digits` significant digits or, if they differ and would read alike, with as many more as
+// they need.
 inline std::array<std::string, 2> told_apart(double a, double b, int digits = 6) {
   constexpr int all_digits = 17;
   const auto text = [&](double number) {

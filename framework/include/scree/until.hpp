@@ -48,8 +48,8 @@ struct Until {
 class StageColumns {
  public:
   virtual ~StageColumns() = default;
-  // Observes and samples what is due `steps` after the start of the stage, once at each step. Returns the steps at which
-  // more is due.
+  // Observes and samples what is due `steps` after the start of the stage, once at each step. Returns the
+  // steps at which more is due.
   virtual std::uint64_t take(const Simulation& simulation, const std::string& stage, std::uint64_t steps) = 0;
   // The steps after `steps` at which more is due.
   virtual std::uint64_t next(const Simulation& simulation, const std::string& stage,
@@ -67,7 +67,8 @@ class ConditionValues {
 
   void take(double time, double value);
   std::optional<double> latest() const { return latest_; }
-  // Not before there is a value, and `steady` not before values of that time are known. NaN meets no condition.
+  // Not before there is a value, and `steady` not before values of that time are known. NaN meets no
+  // condition.
   bool met() const;
   // "stress.zz = 312 Pa, above 1000"
   std::string status() const;
@@ -83,13 +84,14 @@ class ConditionValues {
   std::deque<std::pair<double, double>> recent_;  // time (s) and value, if they are to be steady
 };
 
-// Kinetic energy of the bodies that bear load over elastic energy; infinite without elastic energy. A body with one
-// contact, which rolls or slides on, counts by its velocity along the normal alone, and one on which nothing acts, which
-// flies on for ever, not at all; unless no body has two contacts: then all count whole. Walls count.
+// Kinetic energy of the bodies that bear load over elastic energy; infinite without elastic energy. A body
+// with one contact, which rolls or slides on, counts by its velocity along the normal alone, and one on which
+// nothing acts, which flies on for ever, not at all; unless no body has two contacts: then all count whole.
+// Walls count.
 double kinetic_over_elastic(const Simulation& simulation);
 
-// Which few bodies hold nearly all of the kinetic energy and how they move, with a cure: "6 bodies hold 99.9 % of the
-// kinetic energy, by rolling: particles 3, 7, ...; add ..."; empty if it is spread over many.
+// Which few bodies hold nearly all of the kinetic energy and how they move, with a cure: "6 bodies hold 99.9
+// % of the kinetic energy, by rolling: particles 3, 7, ...; add ..."; empty if it is spread over many.
 struct Movers {
   std::string what, cure;
 };

@@ -30,8 +30,8 @@ HalfAngle half_angle_of_small(const Vec3& rotation) {
 
 bool all_finite(const Vec3& v) { return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]); }
 
-// Halves the rotation until the series holds, then doubles it. No rotation if it is not finite, which halving would not
-// change: such a spin ends the step.
+// Halves the rotation until the series holds, then doubles it. No rotation if it is not finite, which halving
+// would not change: such a spin ends the step.
 HalfAngle half_angle_of(Vec3 rotation) {
   if (!all_finite(rotation)) return {0, {}};
   int halvings = 0;

@@ -57,8 +57,8 @@ class Contacts {
   // Sets all histories to 0, as of pairs that do not touch.
   void clear_histories();
 
-  // Fills a group of pairs with planes, which must be the next empty one, with history 0. For pairs that are not
-  // replaced by `rebuild`.
+  // Fills a group of pairs with planes, which must be the next empty one, with history 0. For pairs that are
+  // not replaced by `rebuild`.
   void append(std::size_t group, const std::vector<PlanePair>& pairs);
 
   // Pairs and histories, with as many bodies and planes as the scene has.

@@ -15,8 +15,8 @@
 namespace scree {
 
 // Evaluates the contacts of single planes with displacements that the planes might have, without a trace in
-// bodies, histories or sums. By one thread and in the order of the pairs, so that the bits are the same for any
-// number of threads.
+// bodies, histories or sums. By one thread and in the order of the pairs, so that the bits are the same for
+// any number of threads.
 class DisplacedLoads {
  public:
   explicit DisplacedLoads(const Forces::Features& features);

@@ -11,10 +11,10 @@
 
 namespace scree {
 
-// Held components of bodies, which follow their function of time or keep their velocity, and loads of groups. It acts
-// around the integrator's halves of a step, on these bodies alone: the integrator finds no load on a held component, and
-// the velocity that moves it by ∫u dt. Work: Δ(½ m u²) − ∫F u dt of what holds a component, as walls do it, and ∫F v dt
-// of the loads of groups.
+// Held components of bodies, which follow their function of time or keep their velocity, and loads of groups.
+// It acts around the integrator's halves of a step, on these bodies alone: the integrator finds no load on a
+// held component, and the velocity that moves it by ∫u dt. Work: Δ(½ m u²) − ∫F u dt of what holds a
+// component, as walls do it, and ∫F v dt of the loads of groups.
 class DrivenBodies {
  public:
   // Sets the velocities of components that follow a function of time to those at t = 0.
@@ -41,8 +41,8 @@ class DrivenBodies {
                     std::size_t part);
   bool finish_step(Integrator& integrator, Particles& particles, double step, BodyRange bodies,
                    std::size_t part);
-  // After the bodies of a part have moved to the evaluation, before their loads are cleared: sets the velocities of held
-  // components there. Returns the work (J) of the loads before it.
+  // After the bodies of a part have moved to the evaluation, before their loads are cleared: sets the
+  // velocities of held components there. Returns the work (J) of the loads before it.
   double predict(Particles& particles, std::size_t part) const;
   // Adds the loads of groups after an evaluation.
   void add_loads(Particles& particles, std::size_t part) const;

@@ -8,8 +8,8 @@
 
 namespace scree {
 
-// The time that a plug-in sees. It starts again when a stage sets parameters, but goes on for functions of time that the
-// stage does not set.
+// The time that a plug-in sees. It starts again when a stage sets parameters, but goes on for functions of
+// time that the stage does not set.
 class Clock {
  public:
   // The time that the plug-in sees at a time of the simulation (s).

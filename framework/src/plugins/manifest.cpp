@@ -59,7 +59,8 @@ Problem build_problem(const scree_plugin& plugin) {
     return fmt::format("contains a plug-in of an unknown kind {}; rebuild it against this version",
                        plugin.kind);
   if (!plugin.interface) return missing("interface");
-  // Each interface begins with its struct_size. A member at the end of probes was added without a new version.
+  // Each interface begins with its struct_size. A member at the end of probes was added without a new
+  // version.
   const auto size = *static_cast<const std::uint32_t*>(plugin.interface);
   const bool without_meaning = plugin.kind == SCREE_PROBE && size == offsetof(scree_probe, meaning);
   if (size != interface_size(plugin.kind) && !without_meaning)

@@ -12,8 +12,8 @@
 
 namespace scree {
 
-// Takes what a new simulation needs from the state of another. If nothing differs, everything is taken over and
-// only clocks and balances begin anew; else the differences act as those of a stage that begins.
+// Takes what a new simulation needs from the state of another. If nothing differs, everything is taken over
+// and only clocks and balances begin anew; else the differences act as those of a stage that begins.
 class Branch {
  public:
   // Throws Error if something in the state has no place in the scene.
@@ -47,8 +47,8 @@ class Branch {
   // Visits the row of each contact of the state, with its numbers there; returns the contacts without one.
   using VisitRow = std::function<void(PairGroup& group, std::size_t row, std::span<const double> numbers)>;
   Dropped each_row(SimulationParts& parts, const VisitRow& visit) const;
-  // After the forces have been evaluated without a motion: what springs have lost (J) of the elastic energy before goes
-  // into the balance, and is reported.
+  // After the forces have been evaluated without a motion: what springs have lost (J) of the elastic energy
+  // before goes into the balance, and is reported.
   void count_lost(SimulationParts& parts);
   void report_cut(SimulationParts& parts, double lost, double before);
   void report_dropped(double energy, double before);

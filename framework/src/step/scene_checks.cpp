@@ -13,7 +13,8 @@ Domain periodic_domain(const Scene& scene) { return boundaries_of(scene).domain(
 
 namespace {
 
-// Points and velocities of the walls of a boundary after the first step, in which they meet a spring where they try displacements.
+// Points and velocities of the walls of a boundary after the first step, in which they meet a spring where
+// they try displacements.
 std::vector<double> after_step(const Scene& scene, const Parameters& boundary) {
   Boundaries alone({{"alone", 0, boundary}}, scene.dimension, bounds_of(scene.bodies, scene.dimension));
   const double length = alone.displacement_speed() * scene.step;

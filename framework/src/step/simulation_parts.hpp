@@ -34,7 +34,8 @@ struct SimulationParts {
   void configure_laws();
   // All that changes in a run.
   void transfer(const class StateTransfer& state);
-  // The two halves of it: the pairs follow the bodies and walls when restoring, and have no order when saving.
+  // The two halves of it: the pairs follow the bodies and walls when restoring, and have no order when
+  // saving.
   void transfer_all_but_pairs(const class StateTransfer& state);
   void transfer_pairs(const class StateTransfer& state);
   // The sums of contacts in a state.

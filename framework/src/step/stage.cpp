@@ -38,7 +38,8 @@ bool has(const Scene& scene, const Stage::Change& change) {
   }
 }
 
-// Probes begin in the first stage in which they record, so that they are followed in all stages if one needs a column.
+// Probes begin in the first stage in which they record, so that they are followed in all stages if one needs
+// a column.
 std::shared_ptr<StageColumns> needed(const std::vector<Stage>& stages,
                                      std::shared_ptr<StageColumns> columns) {
   const bool any = std::any_of(stages.begin(), stages.end(),

@@ -34,7 +34,8 @@ struct Smallest {
   std::size_t count = 0;
 };
 
-// Of the bodies of a material that can move, and of those that are fixed, whose mass is infinite in a contact.
+// Of the bodies of a material that can move, and of those that are fixed, whose mass is infinite in a
+// contact.
 struct OfMaterial {
   Smallest moving, fixed;
 };
@@ -62,8 +63,8 @@ scree_encounter encounter_of(const Smallest& a, const Smallest& b, double speed)
   return {1 / (1 / a.mass + 1 / b.mass), 1 / (1 / a.radius + 1 / b.radius), speed, 1};
 }
 
-// Possible contact partners of moving bodies of material `a`: the lightest body of each material, fixed bodies and the
-// walls.
+// Possible contact partners of moving bodies of material `a`: the lightest body of each material, fixed
+// bodies and the walls.
 std::vector<std::pair<std::size_t, Smallest>> partners(const Scene& scene,
                                                        const std::vector<OfMaterial>& smallest,
                                                        std::size_t a) {

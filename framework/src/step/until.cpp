@@ -57,7 +57,8 @@ std::vector<Support> supports_of(const Simulation& simulation) {
   return supports;
 }
 
-// By rolling if a fifth or more is of rotations, by spinning if nine tenths are, of bodies that touch something.
+// By rolling if a fifth or more is of rotations, by spinning if nine tenths are, of bodies that touch
+// something.
 enum class Motion { flying, rolling, spinning, sliding };
 
 Motion motion_of(const KineticEnergy& energy, bool touches) {

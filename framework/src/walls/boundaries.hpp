@@ -27,8 +27,8 @@ class Boundaries {
   using LoadAfter = std::function<scree_load(std::size_t plane, const double* displacement)>;
 
   // First half of a step: moves the planes from t to t + step (s) with the loads at t. Both halves throw
-  // Error(blow_up) with plug-in, plane and time if a plane is not finite. load_after: needed if displacement_speed is
-  // above 0.
+  // Error(blow_up) with plug-in, plane and time if a plane is not finite. load_after: needed if
+  // displacement_speed is above 0.
   void begin_step(double time, double step, const LoadAfter& load_after = {});
   // Second half: completes velocities and energies with the loads at t + step.
   void finish_step(double time, double step);
@@ -36,8 +36,8 @@ class Boundaries {
   // velocity, for output; and back to the positions of the force evaluation, before the next begin_step.
   void extrapolate(double time);
   void undo_extrapolation() { planes_ = planes_before_extrapolation_; }
-  // Sets new parameters of a boundary; its functions of time start again at `time` (s), except those of the keys that go
-  // on; positions of planes are kept. A jump of kinetic energy counts as work.
+  // Sets new parameters of a boundary; its functions of time start again at `time` (s), except those of the
+  // keys that go on; positions of planes are kept. A jump of kinetic energy counts as work.
   void reconfigure(const std::string& name, const Parameters& parameters, double time,
                    const std::vector<std::string>& going_on = {});
 
@@ -60,7 +60,8 @@ class Boundaries {
   scree_boundary_energy energy() const;
   // Largest mid-step speed of a plane along its normal (m/s); infinite if any is not finite.
   double largest_speed() const;
-  // How forces move planes at a time (s), with the planes where they are given. Throws Error as Simulation::linear_walls does.
+  // How forces move planes at a time (s), with the planes where they are given. Throws Error as
+  // Simulation::linear_walls does.
   WallEquations linear_walls(double time, const std::vector<scree_plane>& planes) const;
   void add_to_hash(class StateHash& hash) const;
   // The planes that a state has of boundary `boundary`, and the number of all its planes.

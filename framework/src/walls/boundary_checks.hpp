@@ -16,7 +16,8 @@ bool is_finite(const scree_plane& plane);
 
 // What is wrong with a plane as "<quantity> is <value>"; empty if it is finite and its normal a unit vector.
 std::string problem_of(const scree_plane& plane);
-// What a linear equation has that it must not have, "a mass of -1 kg"; empty if it is sound. stiffness: its row.
+// What a linear equation has that it must not have, "a mass of -1 kg"; empty if it is sound. stiffness: its
+// row.
 std::string problem_of(const scree_linear_plane& plane, std::span<const double> stiffness);
 
 }  // namespace scree

@@ -129,7 +129,8 @@ void read_state_table(BodyLot& lot, const Source& source, packing::Random random
   for (Body& body : lot.bodies) body.velocity += added.at(body.position, random);
 }
 
-// Each table has random numbers of its own, so that none changes with another; the first has those of the seed.
+// Each table has random numbers of its own, so that none changes with another; the first has those of the
+// seed.
 packing::Random random_of(std::uint64_t seed, std::size_t table) {
   packing::Random seeds(seed);
   std::uint64_t own = seed;

@@ -156,8 +156,8 @@ void read_studies(const document::Table& root, const StudyTables& studies, Plan&
   for (const StudyTable& study : studies) study.check(plan);
 }
 
-// Reads everything except the texts. recorded: of a run that goes on; without bodies, they are read too. studies:
-// null if the scenario has been checked before.
+// Reads everything except the texts. recorded: of a run that goes on; without bodies, they are read too.
+// studies: null if the scenario has been checked before.
 Plan read(const document::Document& document, const std::filesystem::path& path, RecordedBodies recorded,
           PluginHost& host, const StudyTables* studies) {
   const document::Table root = document.root();

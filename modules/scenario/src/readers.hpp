@@ -57,7 +57,8 @@ void check_body_memory(const document::Table& table, std::string_view key, doubl
 
 // cloud_reader.cpp
 
-// The bodies of [particles] with random, region and radius, clear of other bodies. origin: is set to what BodySource has.
+// The bodies of [particles] with random, region and radius, clear of other bodies. origin: is set to what
+// BodySource has.
 packing::Packing read_random_bodies(const document::Table& particles, int dimension, packing::Random& random,
                                     std::vector<Sphere> others, std::string& origin);
 
@@ -74,8 +75,8 @@ std::vector<std::string> names_of(const std::vector<Material>& materials);
 
 // material_shares.cpp
 
-// Gives bodies without a material one at random, so that the numbers of each are those of the shares { glass = 0.7, steel
-// = 0.3 } to less than one body.
+// Gives bodies without a material one at random, so that the numbers of each are those of the shares { glass
+// = 0.7, steel = 0.3 } to less than one body.
 void share_materials(const document::Table& table, const std::vector<Material>& materials,
                      packing::Random& random, std::vector<packing::Body>& bodies);
 
@@ -95,8 +96,8 @@ std::vector<Body> bodies_of(const document::Table& particles, const State& state
 
 // input_files.cpp
 
-// A file from which a scene takes bodies: the key that names it, "particles.file" or "particles[1].state", and
-// its absolute path.
+// A file from which a scene takes bodies: the key that names it, "particles.file" or "particles[1].state",
+// and its absolute path.
 struct BodyFile {
   std::string key;
   std::filesystem::path path;
@@ -157,7 +158,8 @@ ReadBodies read_bodies(const document::Table& root, int dimension, const std::ve
 
 // group_reader.cpp
 
-// Applies the [[group]]s, in their order, to the bodies of the scene, which has its materials. sources: of its bodies.
+// Applies the [[group]]s, in their order, to the bodies of the scene, which has its materials. sources: of
+// its bodies.
 void read_groups(const document::Table& root, const std::vector<BodySource>& sources, Scene& scene);
 // For a [[probe]]: 1 for the bodies that its keys `groups` and `leave_out` exclude; empty without these keys.
 std::vector<std::uint8_t> read_left_out(const document::Table& root, const document::Table& probe,
@@ -165,9 +167,9 @@ std::vector<std::uint8_t> read_left_out(const document::Table& root, const docum
 
 // group_motion_reader.cpp
 
-// What a [[group]] gives its bodies (indices): which components are held, velocities, and functions of time, for which it
-// adds a BodyGroup to the scene. selected: a probe counts or leaves out its bodies, so that it may be given nothing. moved:
-// of each body, the components that follow a function of a group before.
+// What a [[group]] gives its bodies (indices): which components are held, velocities, and functions of time,
+// for which it adds a BodyGroup to the scene. selected: a probe counts or leaves out its bodies, so that it
+// may be given nothing. moved: of each body, the components that follow a function of a group before.
 void read_group_motion(const document::Table& group, const std::string& name,
                        const std::vector<std::uint32_t>& bodies, bool selected,
                        std::vector<freedom::Mask>& moved, Scene& scene);

@@ -102,8 +102,8 @@ bool follows(const Stage::Change& instance, const std::string& key, const Scene&
                                          : !instance.parameters.absent();
 }
 
-// Keys of the functions of time that vary, that the instance has followed before a stage, and that the stage does not set:
-// their time goes on.
+// Keys of the functions of time that vary, that the instance has followed before a stage, and that the stage
+// does not set: their time goes on.
 std::vector<std::string> going_on(const Stage::Change& before, const document::Table& set,
                                   const Scene& scene) {
   std::vector<std::string> keys;

@@ -15,7 +15,8 @@ namespace {
 constexpr const char* column_cure =
     "give the name of a [[probe]] and one of its columns, as \"stress.zz\" = { above = 1e3 }";
 
-// Calls use(name, table) for each condition on a column: "stress.zz" = { }, or stress.zz = { } as TOML nests it.
+// Calls use(name, table) for each condition on a column: "stress.zz" = { }, or stress.zz = { } as TOML nests
+// it.
 template <class Use>
 void for_each_column(const document::Table& until, const Use& use) {
   const auto is_other = [](const std::string& key) {

@@ -34,8 +34,9 @@ Body bead(int id, const Vec3& position, const Vec3& velocity = {}, const Vec3& s
 
 }  // namespace
 
-// The bodies move towards each other by 3 m/s, and touch after a third of a step. The contact time is π √(m/k) but for
-// the dashpot: a step of a 500th has an error of some 1e-5; a reduced mass of m/2 would change the contact time by 0.7.
+// The bodies move towards each other by 3 m/s, and touch after a third of a step. The contact time is π
+// √(m/k) but for the dashpot: a step of a 500th has an error of some 1e-5; a reduced mass of m/2 would change
+// the contact time by 0.7.
 TEST_CASE(
     "a bead rebounds from a fixed bead with the restitution and in the contact time of the mass of one bead") {
   const auto integration = GENERATE(Integration::velocity_verlet, Integration::position_verlet,
@@ -105,8 +106,9 @@ TEST_CASE("a fixed body acts as one with so large a mass that nothing moves it")
   CHECK(std::abs(by_fixing.spin[2] - 4) > 0.5);
 }
 
-// x_i = x_i0 + A sin(i π/(n + 1)) sin ω t, ω = 2 √(k/m) sin(π/(2(n + 1))), while no contact opens. After a period of 400
-// steps the phase is wrong by 2π (ωh)²/24 = 6e-5, which the position next to its zero shows in full.
+// x_i = x_i0 + A sin(i π/(n + 1)) sin ω t, ω = 2 √(k/m) sin(π/(2(n + 1))), while no contact opens. After a
+// period of 400 steps the phase is wrong by 2π (ωh)²/24 = 6e-5, which the position next to its zero shows in
+// full.
 TEST_CASE("a compressed row between two fixed beads vibrates as a chain that is clamped at both ends") {
   const auto integration = GENERATE(Integration::velocity_verlet, Integration::position_verlet,
                                     Integration::fourth_order, Integration::predictor_corrector);

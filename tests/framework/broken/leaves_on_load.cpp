@@ -1,4 +1,5 @@
-// A library whose constructor ends the process that loads it by the system call itself, with the status of success.
+// A library whose constructor ends the process that loads it by the system call itself, with the status of
+// success.
 #include <sys/syscall.h>
 #include <unistd.h>
 

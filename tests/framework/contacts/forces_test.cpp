@@ -58,9 +58,9 @@ class Dealer {
   std::mt19937_64 generator_;
 };
 
-// Tolerance of a force (N): every coordinate, up to `domain_edge` plus an image, has some roundings per step, times
-// k; rounding of the force itself is smaller. 64 ulps for the dozen operations from position to force and
-// their sum over 2 contacts, once per step.
+// Tolerance of a force (N): every coordinate, up to `domain_edge` plus an image, has some roundings per step,
+// times k; rounding of the force itself is smaller. 64 ulps for the dozen operations from position to force
+// and their sum over 2 contacts, once per step.
 double force_tolerance(const ReferenceLaw& law, int steps) {
   return 64 * epsilon * (steps + 1) * (law.k + law.k_t) * 2 * domain_edge;
 }

@@ -2,7 +2,8 @@
 
 #include <catch2/catch.hpp>
 
-// Separations, radii and orientations as laws read them, by the spring between painted points of `disc_angular`.
+// Separations, radii and orientations as laws read them, by the spring between painted points of
+// `disc_angular`.
 
 using namespace scree;
 using namespace scree::test;
@@ -23,7 +24,8 @@ constexpr std::uint32_t spring_column = 4, rolling_column = 5;
 }  // namespace
 
 TEST_CASE("a disc on a wall keeps its painted points across periodic faces", "[placement]") {
-  // Too heavy for the contact to accelerate it: 46 N in 20 s move it by 1e-16 m. Ten periods are crossed, with a spin of its own.
+  // Too heavy for the contact to accelerate it: 46 N in 20 s move it by 1e-16 m. Ten periods are crossed,
+  // with a spin of its own.
   constexpr double radius = 1, speed = 2, spin = 0.3, step = 1e-3;
   constexpr int steps = 20000;
   Scene s = scene(2, step, {body(1, radius, 1e20, {{0.5, 0.98, 0}}, {{speed, 0, 0}}, {{0, 0, spin}}, 2)},

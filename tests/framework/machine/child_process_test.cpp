@@ -94,7 +94,8 @@ TEST_CASE("a program is started by its path or its name, with its output in a de
   int status = 0;
   CHECK(output_of({"/bin/sh", "-c", "echo out; echo err >&2; exit 3"}, {}, &status) == "out\nerr\n");
   CHECK(WEXITSTATUS(status) == 3);
-  // Its standard input is empty, and its group has its own number: the fifth field, after the name in brackets.
+  // Its standard input is empty, and its group has its own number: the fifth field, after the name in
+  // brackets.
   const std::string group =
       output_of({"sh", "-c", "cat; set -- $(cat /proc/$$/stat); test $5 = $$ && echo own"},
                 {.own_group = true}, &status);

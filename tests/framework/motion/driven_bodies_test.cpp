@@ -9,8 +9,9 @@
 
 #include <scree/plugin/program.hpp>
 
-// References: closed forms, and a Runge-Kutta integration of a body in a cage of springs, with functions of time and
-// geometry written here. A bound is the change of an error where steps are halved: 4 for order 2, 16 for order 4.
+// References: closed forms, and a Runge-Kutta integration of a body in a cage of springs, with functions of
+// time and geometry written here. A bound is the change of an error where steps are halved: 4 for order 2, 16
+// for order 4.
 
 using scree::Body;
 using scree::BodyGroup;
@@ -29,7 +30,8 @@ namespace {
 
 namespace freedom = scree::freedom;
 
-// A free body of radius 1 m between two others along each axis, of which the first along x is driven. All contacts last.
+// A free body of radius 1 m between two others along each axis, of which the first along x is driven. All
+// contacts last.
 struct Cage {
   static constexpr double stiffness = 50, mass = 1.3, inner = 1.8, frequency = 0.3, amplitude = 0.06;
   static constexpr double pushed = 0.7, end = 1;  // force along y (N), time (s)
@@ -307,7 +309,8 @@ TEST_CASE("a torque of a group turns a body, and its work is the energy of rotat
     s.run(1000, [] { return true; });
     const Body body = s.particles().body(0);
     const double spin = 0.01 / body.inertia * (1 - std::cos(pi)) / pi;
-    // Trapezoidal rule with 1000 steps of half a period; Gear's method begins with no derivative of the torque.
+    // Trapezoidal rule with 1000 steps of half a period; Gear's method begins with no derivative of the
+    // torque.
     CHECK(body.spin[2] ==
           Approx(spin).epsilon(integration == Integration::predictor_corrector ? 1e-5 : 2e-6));
     if (integration != Integration::position_verlet)

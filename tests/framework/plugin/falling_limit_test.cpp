@@ -77,7 +77,8 @@ TEST_CASE("the impulse does not depend on where in a step slip begins", "[fricti
   for (const double time : {1.5, 1.51, 1.53, 1.57, 1.6}) {
     const double after = time * begins, exact = 0.5 * C_s * begins + C_d * (after - begins);
     INFO("until " << time << " times the begin of slip");
-    // The kink at θ from the slope k v to 0 leaves ½ θ (1 − θ) k v h²; the fall by 0.6 N would leave up to 0.3 N h.
+    // The kink at θ from the slope k v to 0 leaves ½ θ (1 − θ) k v h²; the fall by 0.6 N would leave up to
+    // 0.3 N h.
     const double h = after / 20;
     CHECK(std::abs(-drive.impulse(after, 20, {}, false)[0] - exact) < 0.13 * falling_stiffness * v * h * h);
   }
@@ -100,8 +101,9 @@ TEST_CASE("where slip ends while the limit rises, the force of the dashpot jumps
 }
 
 TEST_CASE("a spring that falls and then falls short of the limit sticks at once", "[friction]") {
-  // In the step μ_s f_n falls from 1 to 0.8 N and k ξ from 0.99 to 0.85 N: e from −0.01 to 0.05 N, θ = 1/6. There
-  // μ_s f_n = 29/30 N, and k ξ falls by 0.6 of it, to 0.27 N at the end of the step, where μ_d f_n = 0.32 N.
+  // In the step μ_s f_n falls from 1 to 0.8 N and k ξ from 0.99 to 0.85 N: e from −0.01 to 0.05 N, θ = 1/6.
+  // There μ_s f_n = 29/30 N, and k ξ falls by 0.6 of it, to 0.27 N at the end of the step, where μ_d f_n =
+  // 0.32 N.
   const auto back = [](double) { return Vec2{{-0.14, 0}}; };
   const auto falling = [](double t) { return 2 - 400 * t; };
   const Drive<decltype(back), decltype(falling)> drive = {1, back, falling};

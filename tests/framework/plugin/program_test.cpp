@@ -140,8 +140,8 @@ double wave_of(const Program& p, double time) { return 0.5 * (p(time) - 1); }
 }  // namespace
 
 TEST_CASE("the rate of each drive is the derivative of its value") {
-  // 100 Hz at most; the third derivative of a sine of amplitude 2 is 2 (2 pi f)^3, of pulses and rises a few times
-  // more, since their products add derivatives of each.
+  // 100 Hz at most; the third derivative of a sine of amplitude 2 is 2 (2 pi f)^3, of pulses and rises a few
+  // times more, since their products add derivatives of each.
   const std::vector<std::vector<double>> drives = {{5, 1, 2, 0.05, 80, 0.3},
                                                    {6, 1, 2, 0.05, 20, 100, 0.4, 0},
                                                    {6, 1, 2, 0.05, 20, 100, 0.4, 1},
@@ -174,7 +174,8 @@ TEST_CASE("drives begin at the mean, rise smoothly and end where they should") {
 }
 
 TEST_CASE("a chirp has the cycles of its mean frequency, and a logarithmic one equal cycles per octave") {
-  // Zeros at whole numbers of half cycles: after T/2 a linear chirp from 20 to 100 Hz has made 20 T/2 + 80 T/8 cycles.
+  // Zeros at whole numbers of half cycles: after T/2 a linear chirp from 20 to 100 Hz has made 20 T/2 + 80
+  // T/8 cycles.
   const std::vector<double> linear_data = {6, 1, 2, 0, 20, 100, 0.4, 0},
                             octaves_data = {6, 1, 2, 0, 25, 100, 0.4, 1};
   const Program linear = program(linear_data), octaves = program(octaves_data);

@@ -217,7 +217,8 @@ TEST_CASE("what a lower limit of friction takes from the springs of a state is d
   const Simulation branch(s.next, s.state, Branching());
   const scree_energy after = branch.energy();
   CHECK(after.elastic_tangential < 0.1 * s.before.elastic_tangential);
-  // The springs are shortened along themselves, so that the slip dissipates what they lose, but for round-off.
+  // The springs are shortened along themselves, so that the slip dissipates what they lose, but for
+  // round-off.
   CHECK(after.dissipated_friction ==
         Approx(s.before.elastic_tangential - after.elastic_tangential).epsilon(1e-12));
   CHECK(after.work == 0);

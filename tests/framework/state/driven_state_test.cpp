@@ -80,7 +80,8 @@ TEST_CASE("driven bodies go on from a state to the same bits, observed or not, w
     CHECK(whole.energy().work != 0);
     CHECK(whole.energy_residual() < 0.02);
     CHECK(whole.momentum_residual() < 1e-13);  // round-off: what holds bodies is no contact
-    // Another scene begins from the state: nothing differs but the clock, from which the functions begin anew.
+    // Another scene begins from the state: nothing differs but the clock, from which the functions begin
+    // anew.
     scene.bodies = scree::present_bodies(stopped);
     Simulation branch(scene, stopped, scree::Branching());
     CHECK(branch.particles().velocity()[0][0] == 2 * std::sin(1.0));

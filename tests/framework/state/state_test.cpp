@@ -22,7 +22,8 @@ using scree::test::steps_of_heap;
 
 namespace {
 
-// Goes on from the state of a simulation after some steps, and compares with the simulation that never stopped.
+// Goes on from the state of a simulation after some steps, and compares with the simulation that never
+// stopped.
 void check_resumed(Simulation& whole, Scene scene) {
   const State stopped = whole.state();
   scene.bodies = scree::bodies_at_start(stopped);

@@ -13,7 +13,8 @@ using namespace scree::test;
 
 namespace {
 
-// Nine discs at (0.011 + 0.022 i, 0.011 + 0.022 j) m for i, j from 0 to 2, with the ids 3 j + i + 1; then line 27.
+// Nine discs at (0.011 + 0.022 i, 0.011 + 0.022 j) m for i, j from 0 to 2, with the ids 3 j + i + 1; then
+// line 27.
 std::string with_group(const std::string& keys) { return std::string(discs) + "[[group]]\n" + keys; }
 
 std::set<std::int64_t> fixed_by(const std::string& where) {

@@ -77,7 +77,8 @@ TEST_CASE("gravity: components that are functions of time accelerate every body 
                                  std::abs(s.energy().residual)};
   };
   const auto coarse = errors(2e-3), fine = errors(1e-3);
-  // Velocity Verlet: a (ω Δt)² t/12 / ω of position, 2e-5 m; the work m g' x likewise, with 2 kg and 5 m. Factor 10.
+  // Velocity Verlet: a (ω Δt)² t/12 / ω of position, 2e-5 m; the work m g' x likewise, with 2 kg and 5 m.
+  // Factor 10.
   CHECK(coarse[0] < 2e-4);
   CHECK(coarse[1] < 2e-4);
   CHECK(coarse[2] < 1e-1);

@@ -136,8 +136,9 @@ TEST_CASE("a wall that keeps its load leaves a body that presses more, and stays
   }
 }
 
-// The displaced load is the evaluation that follows, so that the load itself has no error but that of the search. The
-// speed of the wall at the end of a step is displacement / step: first order with dashpots, second without.
+// The displaced load is the evaluation that follows, so that the load itself has no error but that of the
+// search. The speed of the wall at the end of a step is displacement / step: first order with dashpots,
+// second without.
 TEST_CASE("a massless wall behind a driven row keeps its force, to first order in its motion", "[plane]") {
   for (const double damping : {0.0, 4.0}) {
     CAPTURE(damping);

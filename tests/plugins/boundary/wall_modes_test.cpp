@@ -134,7 +134,8 @@ TEST_CASE("walls that press on a body and shake are forced oscillators", "[box]"
   }
   CHECK(position(s, 0) == Vec3{});
   const scree_energy e = s.energy();
-  // The energy of a velocity-Verlet oscillator fluctuates by (ω₀h)²/4; what is exchanged is below k (overlap)².
+  // The energy of a velocity-Verlet oscillator fluctuates by (ω₀h)²/4; what is exchanged is below k
+  // (overlap)².
   CHECK(std::abs(e.residual) < 0.25 * std::pow(natural * step, 2) * k * overlap * overlap);
   CHECK(e.kinetic_boundary > 0);
 }

@@ -7,8 +7,8 @@
 
 #include <scree/energy.hpp>
 
-// A stage may change what moves a wall: positions are continuous, velocities as plugins/README.md says, and the
-// energy balance stays closed.
+// A stage may change what moves a wall: positions are continuous, velocities as plugins/README.md says, and
+// the energy balance stays closed.
 
 using namespace scree;
 using namespace scree::test;

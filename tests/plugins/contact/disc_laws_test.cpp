@@ -57,9 +57,9 @@ TEST_CASE("a closed path changes the spring of Cundall and Strack by (r2 - r1) t
 }
 
 TEST_CASE("a closed path changes the integrated spring in proportion to the step", "[disc]") {
-  // Arcs at a constant distance leave nothing: only their chords, which are shorter by (Δθ)²/24. On the line α of the end
-  // of each step is ahead of the mean by ½ α′h: the way out and the way back leave ½ h ∮ α′ y′ ds, with α′ = x′ 2/D² and
-  // x = y = a cos(2πs): −2 (πa/D)² h. The next order is (2πh)².
+  // Arcs at a constant distance leave nothing: only their chords, which are shorter by (Δθ)²/24. On the line
+  // α of the end of each step is ahead of the mean by ½ α′h: the way out and the way back leave ½ h ∮ α′ y′
+  // ds, with α′ = x′ 2/D² and x = y = a cos(2πs): −2 (πa/D)² h. The next order is (2πh)².
   CHECK(std::abs(spring_after_figure_8("disc_corrected", 1000)) <
         0.3 * 2 * std::pow(0.3 / 1000, 2) / 24 * 1.1);
   for (const int steps : {250, 500}) {
@@ -127,8 +127,8 @@ TEST_CASE(
 }
 
 TEST_CASE("the work of the corrected laws is taken from the energy of the spring", "[disc]") {
-  // Along an arc of the centres α enters, in the rotation of a its full radius. Sums by the trapezoidal rule over 1000
-  // steps; α of the end of each step is constant on an arc. Without α the force would be 5 % short.
+  // Along an arc of the centres α enters, in the rotation of a its full radius. Sums by the trapezoidal rule
+  // over 1000 steps; α of the end of each step is constant on an arc. Without α the force would be 5 % short.
   for (const std::string plugin : {"disc_corrected", "disc_angular"})
     for (const bool turning : {false, true}) {
       INFO(plugin << ", turning " << turning);

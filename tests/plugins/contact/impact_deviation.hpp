@@ -2,8 +2,8 @@
 
 #include "impact_pair.hpp"
 
-// Errors of impacts against the reference: of the velocity and of the spin at the surface, over the speed of the
-// impact, rms over eight phases of first touch.
+// Errors of impacts against the reference: of the velocity and of the spin at the surface, over the speed of
+// the impact, rms over eight phases of first touch.
 
 namespace scree::test {
 

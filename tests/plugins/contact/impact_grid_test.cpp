@@ -56,13 +56,13 @@ TEST_CASE("all options together: motion, energy and each column of the energy ba
         const reference::Outcome exact = pair.reference();
         const Deviation coarse = deviation(pair, exact, 50), fine = deviation(pair, exact, 200);
         INFO(name_of(c));
-        // The extra normal force of the potential form has a peak where its spring reaches the limit, a few steps
-        // after first touch.
+        // The extra normal force of the potential form has a peak where its spring reaches the limit, a few
+        // steps after first touch.
         const bool peak = c.hertz && c.history == History::potential;
         CHECK(coarse.motion < (peak ? 2 : 1) * step_error(50));
         CHECK(fine.motion < step_error(200));
-        // Energies are squares, with twice the relative error; the balance sums powers by the trapezoidal rule as
-        // well.
+        // Energies are squares, with twice the relative error; the balance sums powers by the trapezoidal
+        // rule as well.
         CHECK(coarse.column < 3 * step_error(50));
         CHECK(fine.column < 3 * step_error(200));
         CHECK(fine.residual < 3 * step_error(200));
@@ -190,7 +190,8 @@ TEST_CASE("the slip rule of David et al., by the total force: impacts that slide
 
 namespace {
 
-// What every impact must satisfy, and squares of the errors for the order. The steps are those of the grid above.
+// What every impact must satisfy, and squares of the errors for the order. The steps are those of the grid
+// above.
 class Convergence {
  public:
   void check(const ImpactCase& c) {
@@ -276,7 +277,8 @@ TEST_CASE("with a dashpot, slip that ends at once or while the limit rises: of s
 }
 
 TEST_CASE("position Verlet as velocity Verlet, also where bodies touch in its first half step", "[grid]") {
-  // Its energy balance counts half of what the first half step dissipates, a term of first order: motion only.
+  // Its energy balance counts half of what the first half step dissipates, a term of first order: motion
+  // only.
   Convergence convergence;
   each_impact(
       {1, 0.9, 0.5, 0.3}, {0.1, 0.3, 1}, {10, 30, 45, 60, 75, 85}, impact_spins,

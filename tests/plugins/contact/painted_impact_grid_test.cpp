@@ -2,9 +2,10 @@
 
 #include <catch2/catch.hpp>
 
-// Impacts with a spring between painted points, over normal force × restitution × tension × tangential dashpot ×
-// friction × angle × spin × wall or pair × rigidity, against a reference that takes forces and torques as derivatives
-// of the stored energy with respect to the painted points and shares no code with the kernel.
+// Impacts with a spring between painted points, over normal force × restitution × tension × tangential
+// dashpot × friction × angle × spin × wall or pair × rigidity, against a reference that takes forces and
+// torques as derivatives of the stored energy with respect to the painted points and shares no code with the
+// kernel.
 
 using namespace scree;
 using namespace scree::test;
@@ -13,7 +14,8 @@ namespace {
 
 using reference::Tension;
 
-// One impact in so many: prime to the number of values of each option, so that all values and most pairs of them occur.
+// One impact in so many: prime to the number of values of each option, so that all values and most pairs of
+// them occur.
 constexpr std::size_t stride = 97;
 
 struct Opposite {
@@ -28,8 +30,9 @@ std::vector<ImpactCase> painted_laws() {
   return all;
 }
 
-// Of the velocity, over the speed: points are painted anew at the first step, up to h late, on which an arc exceeds 0.1 rad.
-// Until then twist at ω_n stretches the spring by up to ω_n 0.1 R h; it takes about a contact time to pull.
+// Of the velocity, over the speed: points are painted anew at the first step, up to h late, on which an arc
+// exceeds 0.1 rad. Until then twist at ω_n stretches the spring by up to ω_n 0.1 R h; it takes about a
+// contact time to pull.
 double painting_error(const ImpactCase& c, const ImpactPair& pair, double steps) {
   const double rolled =
       pair.contact_time() * (ImpactPair::speed / ImpactPair::radius + norm(c.spin));  // (rad) at most
@@ -64,8 +67,8 @@ TEST_CASE("painted points, all options together: motion, energy and each column 
     const reference::Outcome exact = pair.reference();
     const Deviation coarse = deviation(pair, exact, 50), fine = deviation(pair, exact, 200);
     INFO(name_of(c));
-    // Limits as of the laws without painted points: of the extra normal force of Hertz's stored energy, which has a
-    // peak a few steps after first touch, and of energies, squares with twice the relative error.
+    // Limits as of the laws without painted points: of the extra normal force of Hertz's stored energy, which
+    // has a peak a few steps after first touch, and of energies, squares with twice the relative error.
     CHECK(coarse.motion < (c.hertz ? 2 : 1) * step_error(50));
     CHECK(fine.motion < step_error(200) + painting_error(c, pair, 200));
     CHECK(coarse.column < 3 * step_error(50));

@@ -2,15 +2,16 @@
 
 #include <catch2/catch.hpp>
 
-// Impacts of spheres that slide on each other while they spin about the normal: the twist turns the shares of both painted
-// points in opposite directions, and the slip with them.
+// Impacts of spheres that slide on each other while they spin about the normal: the twist turns the shares of
+// both painted points in opposite directions, and the slip with them.
 
 using namespace scree;
 using namespace scree::test;
 
 TEST_CASE("spheres that slide and spin about the normal move with an error of second order", "[sphere]") {
-  // Half the step error, of which the reference, of first order in 5000 steps, has 0.3 with 400 steps per contact.
-  // Without the twist in the direction of slip the errors are 0.8 to 29 step errors, without that of the slip up to 1.6.
+  // Half the step error, of which the reference, of first order in 5000 steps, has 0.3 with 400 steps per
+  // contact. Without the twist in the direction of slip the errors are 0.8 to 29 step errors, without that of
+  // the slip up to 1.6.
   for (const bool hertz : {false, true})
     for (const bool wall : {false, true})
       for (const Vec3& spin : {Vec3{{0, 0, 1000}}, Vec3{{0, -100, 1000}}, Vec3{{100, -100, 2000}}}) {

@@ -37,7 +37,8 @@ Scene scene_of(bool hertz, double friction, double restitution, double step,
 
 double kinetic(const scree_energy& e) { return e.kinetic_translation + e.kinetic_rotation; }
 
-// An oblique impact with spins about all axes, until the bodies have parted; from a 10th of a step before first touch.
+// An oblique impact with spins about all axes, until the bodies have parted; from a 10th of a step before
+// first touch.
 scree_energy impact(bool hertz, bool wall, double step) {
   const double start = 0.1 * step;
   const Vec3 velocity = {{0.8, 0.3, -1}};
@@ -80,8 +81,8 @@ TEST_CASE(
 
 TEST_CASE("head-on impacts of spheres have the restitution that is demanded, with and without tension",
           "[sphere]") {
-  // Contacts of 3e-4 s (linear) and 8e-4 s at 1 m/s; steps of 1/200. Second order, (πh/t_c)² = 2.5e-4, with a coefficient
-  // of 1 or less, of the speed.
+  // Contacts of 3e-4 s (linear) and 8e-4 s at 1 m/s; steps of 1/200. Second order, (πh/t_c)² = 2.5e-4, with a
+  // coefficient of 1 or less, of the speed.
   for (const bool hertz : {false, true})
     for (const double friction : {0.0, 0.4})
       for (const double tension : {0.0, 1.0}) {
@@ -129,8 +130,8 @@ TEST_CASE("a sphere that slides onto a plane rolls from 2v/(7μg) at 5v/7, and g
     const auto run_until = [&](double t) {
       run(simulation, std::uint64_t(std::round(t / step)) - simulation.steps());
     };
-    // The spring is loaded within the first step, and the normal force settles within ten contact times, 5e-3 s, from an
-    // excess of less than 2 %.
+    // The spring is loaded within the first step, and the normal force settles within ten contact times, 5e-3
+    // s, from an excess of less than 2 %.
     const double settling = (step + 5e-3 * 0.02) * braking;
     run_until(0.98 * time);
     CHECK(velocity(simulation, 0)[0] == Approx(speed - braking * 0.98 * time).margin(settling));
@@ -151,8 +152,8 @@ TEST_CASE("a sphere that slides onto a plane rolls from 2v/(7μg) at 5v/7, and g
 }
 
 TEST_CASE("rolling far with a spin about the normal costs spheres what `describe` states", "[sphere]") {
-  // 50 radii. Within 0.1 rad of rolling the spring follows the twist; kept up to 0.35 rad it took 99.96 % of the spin and
-  // y/R = 0.36.
+  // 50 radii. Within 0.1 rad of rolling the spring follows the twist; kept up to 0.35 rad it took 99.96 % of
+  // the spin and y/R = 0.36.
   constexpr double size = 0.005, weight = 1e-3, gravity = 9.81, speed = 0.5, step = 1e-5;
   const auto rolled = [&](double stiffness) {
     const Values values = {{"normal_stiffness", {5 * stiffness}},

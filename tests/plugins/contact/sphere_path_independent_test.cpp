@@ -40,7 +40,8 @@ TEST_CASE("the three residuals of tangential springs are 0 for spheres", "[spher
 
 TEST_CASE("a closed path of centres and rotations in 3D stores no energy in the spring of spheres",
           "[sphere]") {
-  // Both centres and both rotations move on loops of their own, three times round, by up to 0.03 m and 0.03 rad.
+  // Both centres and both rotations move on loops of their own, three times round, by up to 0.03 m and 0.03
+  // rad.
   for (const bool hertz : {false, true})
     for (const double radius_b : {0.8, 0.0}) {
       INFO((hertz ? "hertz" : "linear") << ", R_b = " << radius_b);

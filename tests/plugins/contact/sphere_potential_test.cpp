@@ -25,8 +25,8 @@ Vec3 random_vector(std::mt19937_64& random, double size) {
   return {{component(random), component(random), component(random)}};
 }
 
-// Orientations of any size at first touch; since then the bodies moved by about 0.02 radii and turned by as many rad: all
-// arcs are below 0.1 rad.
+// Orientations of any size at first touch; since then the bodies moved by about 0.02 radii and turned by as
+// many rad: all arcs are below 0.1 rad.
 Configuration random_configuration(std::mt19937_64& random, bool wall) {
   std::uniform_real_distribution<double> radius(0.6, 1.4);
   Configuration c{.radius_a = radius(random), .radius_b = wall ? 0 : radius(random)};
@@ -75,8 +75,8 @@ void each_configuration(int count, const Visit& visit) {
 }  // namespace
 
 TEST_CASE("forces and torques on spheres are the gradient of the energy", "[sphere]") {
-  // Truncation h⁴ f⁽⁵⁾/30, with f⁽⁵⁾ of 200 J (δ/m)^(5/2) at δ >= 0.02 m below 200 · 3.3 · 0.02^(−5/2) = 1.2e7 J/m⁵: 6e-10 N;
-  // round-off 1e-16 · 1 J/h = 1e-12 N.
+  // Truncation h⁴ f⁽⁵⁾/30, with f⁽⁵⁾ of 200 J (δ/m)^(5/2) at δ >= 0.02 m below 200 · 3.3 · 0.02^(−5/2) =
+  // 1.2e7 J/m⁵: 6e-10 N; round-off 1e-16 · 1 J/h = 1e-12 N.
   each_configuration(50, [](const Configuration& c, bool hertz) {
     const SpherePair pair = pair_at(c, hertz, c.pose);
     constexpr double bound = 1e-8;
@@ -143,7 +143,8 @@ TEST_CASE("a wall is the limit of a large sphere", "[sphere]") {
     Configuration other = c;
     other.radius_b = large;
     other.start.b[2] -= large, other.pose.b[2] -= large;
-    // The wall is the plane through b, whatever b's other coordinates; the sphere's summit is above its centre.
+    // The wall is the plane through b, whatever b's other coordinates; the sphere's summit is above its
+    // centre.
     for (int k = 0; k < 2; ++k) other.start.b[k] = other.pose.b[k] = c.start.a[k];
     const SpherePair wall = pair_at(c, hertz, c.pose), sphere = pair_at(other, hertz, other.pose);
     // Slopes of 0.05 m/1e6 m times the normal force, positions of 1e6 m that are rounded to 1e-10 m.

@@ -69,8 +69,9 @@ TEST_CASE("spheres of unequal radii that roll on each other keep their spring at
 }
 
 TEST_CASE("a spring across the direction in which spheres roll does not grow", "[sphere]") {
-  // Between two paintings it grows by the mean of φ/sin φ of both arcs, up to 0.1 rad and one step. Kept, that is
-  // exp(φ/6) per rad of two equal spheres. The painting shortens it by more, up to 0.022 φ⁴ each time.
+  // Between two paintings it grows by the mean of φ/sin φ of both arcs, up to 0.1 rad and one step. Kept,
+  // that is exp(φ/6) per rad of two equal spheres. The painting shortens it by more, up to 0.022 φ⁴ each
+  // time.
   constexpr double across = 1e-4, step = 5e-3, rolling = 60;
   for (const double radius_b : {1.0, 0.4}) {
     INFO("R_b = " << radius_b);
@@ -95,8 +96,9 @@ TEST_CASE("a spring across the direction in which spheres roll does not grow", "
 
 TEST_CASE("closed paths on which a painted point goes farther than 0.1 rad leave a spring of spheres",
           "[sphere]") {
-  // With the rotation vector z × x/R that belongs to the displacement x: free where the diameter is below 0.1. Pure rolling
-  // along the same loop turns the sphere by the solid angle π ρ² about the normal; larger loops leave half of that times ρ.
+  // With the rotation vector z × x/R that belongs to the displacement x: free where the diameter is below
+  // 0.1. Pure rolling along the same loop turns the sphere by the solid angle π ρ² about the normal; larger
+  // loops leave half of that times ρ.
   const auto by_vector = [](const Vec3& x, double) { return quaternion_of({{-x[1], x[0], 0}}); };
   CHECK(left_by_loop(0.045, by_vector) < pose_round_off);
   CHECK(left_by_loop(0.1, by_vector) == Approx(0.0015).epsilon(0.01));

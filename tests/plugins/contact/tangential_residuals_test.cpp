@@ -6,9 +6,9 @@
 
 #include <catch2/catch.hpp>
 
-// What the tangential spring of every family of laws keeps after two motions that a path-independent spring forgets:
-// two bodies of radius 1 with a mean overlap of 0.02, moved without rotation once round a circle of radius 0.005, and
-// rotated by 0.1 rad as one rigid body.
+// What the tangential spring of every family of laws keeps after two motions that a path-independent spring
+// forgets: two bodies of radius 1 with a mean overlap of 0.02, moved without rotation once round a circle of
+// radius 0.005, and rotated by 0.1 rad as one rigid body.
 
 using namespace scree;
 using namespace scree::test;

@@ -4,14 +4,15 @@
 
 #include <cmath>
 
-// Two touching bodies, or a body and a wall, that a test moves along a path: the inputs of the law follow from the
-// positions and orientations before and after each step, as in the kernel but written separately.
+// Two touching bodies, or a body and a wall, that a test moves along a path: the inputs of the law follow
+// from the positions and orientations before and after each step, as in the kernel but written separately.
 
 namespace scree::test {
 
 inline constexpr double infinite_friction = 1e9;
 
-// Rotation (rad) from one orientation to another: of angles, and of unit quaternions (w, x, y, z) the rotation vector.
+// Rotation (rad) from one orientation to another: of angles, and of unit quaternions (w, x, y, z) the
+// rotation vector.
 inline Vec<1> turn_between(const Vec<1>& from, const Vec<1>& to) { return to - from; }
 inline Vec3 turn_between(const Vec<4>& from, const Vec<4>& to) {
   const Vec3 u = {{from[1], from[2], from[3]}}, v = {{to[1], to[2], to[3]}};
@@ -21,7 +22,8 @@ inline Vec3 turn_between(const Vec<4>& from, const Vec<4>& to) {
   return sine > 0 ? (2 * std::atan2(sine, w) / sine) * axis : Vec3{};
 }
 
-// Pose: positions a and b (m; b of a wall is its point), and orientation_a(), orientation_b() as the law reads them.
+// Pose: positions a and b (m; b of a wall is its point), and orientation_a(), orientation_b() as the law
+// reads them.
 template <int D, class Pose>
 class TouchingPair {
  public:

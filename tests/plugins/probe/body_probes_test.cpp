@@ -136,7 +136,8 @@ TEST_CASE("contact: in 2D the normal has two components", "[probe]") {
 TEST_CASE("contact: in 2D the tangential force has a sign, the same for both orders of the bodies",
           "[probe]") {
   for (const double side : {1.0, -1.0}) {
-    // Body 1 slides over body 2 towards ± x; with n = (0, 1) and t = z × n = (−1, 0), friction on body 1 is ± along t.
+    // Body 1 slides over body 2 towards ± x; with n = (0, 1) and t = z × n = (−1, 0), friction on body 1 is ±
+    // along t.
     Simulation s(
         scene(2, 1e-5,
               {body(1, sphere_radius, sphere_mass, {{0, 2 * sphere_radius - 1e-4, 0}}, {{side, 0, 0}}, {}, 2),

@@ -7,8 +7,8 @@
 
 #include <scree/state_transfer.hpp>
 
-// A lattice that is strained uniformly: bodies that never meet, at heights h = 0.05, 0.15, ..., 0.95 m along an axis,
-// two at each, with the velocity rate (h − 0.5 m) along it.
+// A lattice that is strained uniformly: bodies that never meet, at heights h = 0.05, 0.15, ..., 0.95 m along
+// an axis, two at each, with the velocity rate (h − 0.5 m) along it.
 
 namespace scree::test {
 

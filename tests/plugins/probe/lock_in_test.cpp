@@ -136,7 +136,8 @@ TEST_CASE(
   };
   // Drift of 0.4 m over the record is rounded like the position.
   CHECK(amplitude_with({{"drift_degree", {2}}}) == near(wall_amplitude, 2 * summed_rounding));
-  // The mean over a period leaves of c t² a constant; its samples lie on straight lines, whose error is constant too.
+  // The mean over a period leaves of c t² a constant; its samples lie on straight lines, whose error is
+  // constant too.
   CHECK(amplitude_with({{"drift_degree", {0}}, {"detrend", {1}}}) ==
         near(wall_amplitude, 2 * summed_rounding));
   CHECK(std::abs(amplitude_with({{"drift_degree", {0}}}) - wall_amplitude) > 1e-3 * wall_amplitude);

@@ -14,8 +14,8 @@ namespace {
 const Values elastic = {{"normal_stiffness", {5000}}, {"normal_damping", {0}}};
 constexpr double drift_step = 1e-3, period = 1;
 
-// Two bodies that never meet in a box that is periodic along x and y. In 400 steps, 0.4 s, the first crosses the
-// face x = 1 three times, the second y = 0 once.
+// Two bodies that never meet in a box that is periodic along x and y. In 400 steps, 0.4 s, the first crosses
+// the face x = 1 three times, the second y = 0 once.
 Scene drifting(int dimension) {
   const double z = dimension == 3 ? 0.5 : 0;
   Scene s = scene(dimension, drift_step,

@@ -11,7 +11,8 @@ namespace {
 
 constexpr double channel_step = 1e-5, channel_stiffness = 1e5, channel_mass = 1e-3;
 
-// Body 2 is held between floor and ceiling; body 1, smaller than their distance, flies at 1 m/s at a wall 0.02 m away.
+// Body 2 is held between floor and ceiling; body 1, smaller than their distance, flies at 1 m/s at a wall
+// 0.02 m away.
 Scene channel() {
   const Values law = {{"normal_stiffness", {channel_stiffness}}, {"normal_damping", {0}}};
   Scene s = scene(2, channel_step,

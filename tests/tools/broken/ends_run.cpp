@@ -1,5 +1,6 @@
-// A law that ends the program without a word, with the status of success: in a force, or where the library is unloaded.
-// Or that holds it, or ends it by the system call itself, once the file exists that the environment names.
+// A law that ends the program without a word, with the status of success: in a force, or where the library is
+// unloaded. Or that holds it, or ends it by the system call itself, once the file exists that the environment
+// names.
 
 #include <cstdlib>
 #include <sys/syscall.h>

@@ -1,4 +1,5 @@
-// A probe by somebody else: amplitude of the height of the first body at 1 Hz, by the lock-in of the plug-in headers.
+// A probe by somebody else: amplitude of the height of the first body at 1 Hz, by the lock-in of the plug-in
+// headers.
 
 #include <limits>
 #include <span>

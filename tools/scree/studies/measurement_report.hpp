@@ -7,8 +7,8 @@
 
 namespace scree::tool {
 
-// Calls work with options that show progress and warnings and let Ctrl-C stop it, then prints the result. Returns the
-// exit status.
+// Calls work with options that show progress and warnings and let Ctrl-C stop it, then prints the result.
+// Returns the exit status.
 ExitStatus report_measurement(bool quiet,
                               const std::function<spectrum::Measurement(spectrum::MeasurementOptions)>& work);
 

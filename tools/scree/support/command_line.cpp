@@ -32,7 +32,8 @@ std::string positive_and_finite(const std::string& word) {
   return is_finite(word, value) && value > 0 ? "" : word + " is not a number above 0";
 }
 
-// CLI::Range takes NaN, and says of a word such as 1e9 that it is not in the range where it is no whole number.
+// CLI::Range takes NaN, and says of a word such as 1e9 that it is not in the range where it is no whole
+// number.
 template <class Number>
 CLI::Validator range(Number least, Number most) {
   const auto check = [least, most](const std::string& word) {

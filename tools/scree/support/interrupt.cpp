@@ -36,7 +36,8 @@ const std::atomic<bool>& watch_for_interrupt() {
   action.sa_handler = on_interrupt;
   action.sa_flags = SA_RESTART;
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&action.sa_mask, signal);
-  // What was started with a signal ignored is to outlive it: by nohup a closed terminal, in the background of a script Ctrl-C.
+  // What was started with a signal ignored is to outlive it: by nohup a closed terminal, in the background of
+  // a script Ctrl-C.
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction before {};
     if (sigaction(signal, nullptr, &before) == 0 && before.sa_handler != SIG_IGN)

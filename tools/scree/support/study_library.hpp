@@ -4,8 +4,8 @@
 
 namespace scree::tool {
 
-// The interface of the companion library scree_studies, with the verbs that need what is not built for a run: accuracy,
-// spectrum, cycles, modes and quasi-static. The program itself has their options and help.
+// The interface of the companion library scree_studies, with the verbs that need what is not built for a run:
+// accuracy, spectrum, cycles, modes and quasi-static. The program itself has their options and help.
 class Studies {
  public:
   virtual ~Studies() = default;

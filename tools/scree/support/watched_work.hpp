@@ -7,7 +7,8 @@
 
 namespace scree::tool {
 
-// Options of a work that shows its progress on a bar and ends at Ctrl-C: of sound, vibration. The bar must outlive them.
+// Options of a work that shows its progress on a bar and ends at Ctrl-C: of sound, vibration. The bar must
+// outlive them.
 template <class Options>
 Options watched(Options options, ProgressBar& bar) {
   options.stop = &watch_for_interrupt();

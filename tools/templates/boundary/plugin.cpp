@@ -1,5 +1,5 @@
-// A boundary: a floor that rises with constant velocity. Replace walls, parameters and motion by your own; the
-// guide is share/doc/scree/plugins/README.md of scree.
+// A boundary: a floor that rises with constant velocity. Replace walls, parameters and motion by your own;
+// the guide is share/doc/scree/plugins/README.md of scree.
 
 #include <scree/plugin/boundary.hpp>
 

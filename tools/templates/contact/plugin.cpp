@@ -1,5 +1,5 @@
-// A contact law: linear spring and dashpot. Replace equations, parameters and forces by your own; the guide is
-// share/doc/scree/plugins/README.md of scree.
+// A contact law: linear spring and dashpot. Replace equations, parameters and forces by your own; the guide
+// is share/doc/scree/plugins/README.md of scree.
 
 #include <cmath>
 #include <numbers>

@@ -1,5 +1,5 @@
-// A probe with memory: the mean squared displacement of all bodies over windows of time. Replace columns, state
-// and formulas by your own; the guide is share/doc/scree/plugins/README.md of scree.
+// A probe with memory: the mean squared displacement of all bodies over windows of time. Replace columns,
+// state and formulas by your own; the guide is share/doc/scree/plugins/README.md of scree.
 
 #include <algorithm>
 

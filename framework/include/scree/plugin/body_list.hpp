@@ -64,8 +64,8 @@ struct BodyList {
     return "";
   }
 
-  // Index of the k-th body in the columns of a view. What is kept tells where to look first: a state that comes from
-  // a file may hold any number. Throws if there is no such body.
+  // Index of the k-th body in the columns of a view. What is kept tells where to look first: a state that
+  // comes from a file may hold any number. Throws if there is no such body.
   std::uint64_t index(const scree_view& view, const double* indices, std::uint64_t k) const {
     const long long wanted = id(k);
     if (indices[k] >= 0 && indices[k] < double(view.body_count))

@@ -71,8 +71,8 @@ struct BoundaryStep {
   const scree_displaced_loads* displaced_loads;
 
   BoundaryScene scene() const;
-  // In `begin_step` with a displacement_speed: the load of a wall at the end of the step after a displacement (m) at
-  // constant velocity, where `walls` does not have it yet.
+  // In `begin_step` with a displacement_speed: the load of a wall at the end of the step after a displacement
+  // (m) at constant velocity, where `walls` does not have it yet.
   WallLoad load_after(std::size_t wall, const Vec3& displacement) const;
 };
 

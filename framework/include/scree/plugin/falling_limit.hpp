@@ -4,13 +4,13 @@
 
 namespace scree {
 
-// Coulomb friction whose limit falls as slip begins: C_s = μ_s f_n in stick, C_d = μ_d f_n < C_s in slip. The spring
-// then shortens at once from L_s = C_s/k to L_d = C_d/k, and the force jumps; with a dashpot it jumps again as slip
-// ends, where P's limit rises from C_d to C_s (P: see friction.hpp).
+// Coulomb friction whose limit falls as slip begins: C_s = μ_s f_n in stick, C_d = μ_d f_n < C_s in slip. The
+// spring then shortens at once from L_s = C_s/k to L_d = C_d/k, and the force jumps; with a dashpot it jumps
+// again as slip ends, where P's limit rises from C_d to C_s (P: see friction.hpp).
 //
-// The sum of the forces at the ends of steps counts a force that jumps within a step as constant up to mid-step. The
-// impulse that this misses is added to the force at the end of the step, so that it is exact to second order wherever
-// in the step the jump is.
+// The sum of the forces at the ends of steps counts a force that jumps within a step as constant up to
+// mid-step. The impulse that this misses is added to the force at the end of the step, so that it is exact to
+// second order wherever in the step the jump is.
 //   Slip begins at the fraction θ of a step, where e = |ξ| − L_s is 0; linear from e₀ before the step to e₁ after it
 //   without slip, θ = −e₀/(e₁ − e₀). The spring falls from L_s to L_d there, and slips for the rest of the step.
 //     added to f_t: −(θ − ½) j,  j = P_s(C_s d + γ v_t) − P_d(C_d d + γ v_t),  d = ξ/|ξ|

@@ -3,10 +3,10 @@
 #include <scree/plugin/roots.hpp>
 #include <scree/plugin/vec.hpp>
 
-// Arcs of great circles of the unit sphere and rotations by quaternions, without trigonometric functions and without
-// branches. An arc is a vector in the tangent plane of its first point, as long as its angle φ (rad). The polynomials
-// interpolate at Chebyshev points for φ <= longest_arc, with relative errors of 1e-16 (arc), 2e-16 (end) and 1e-16
-// (shear); beyond it the results are smooth, but lose digits.
+// Arcs of great circles of the unit sphere and rotations by quaternions, without trigonometric functions and
+// without branches. An arc is a vector in the tangent plane of its first point, as long as its angle φ (rad).
+// The polynomials interpolate at Chebyshev points for φ <= longest_arc, with relative errors of 1e-16 (arc),
+// 2e-16 (end) and 1e-16 (shear); beyond it the results are smooth, but lose digits.
 
 namespace scree {
 
@@ -35,8 +35,8 @@ inline Vec<3, T> end_of_arc(const Vec<3, T>& from, const Vec<3, T>& arc) {
   return from + fused(-versine, from, sinc * arc);
 }
 
-// (1 − φ cot φ)/φ² of an arc with φ² = `square`: what an arc resists a shift of its first point less across than
-// along, relative to φ².
+// (1 − φ cot φ)/φ² of an arc with φ² = `square`: what an arc resists a shift of its first point less across
+// than along, relative to φ².
 template <class T>
 inline T arc_shear(const T& square) {
   return detail::polynomial(square, 0.3333333333333333, 0.0222222222222175, 0.0021164021168736877,

@@ -7,8 +7,8 @@
 
 namespace scree {
 
-// A column of another probe that a probe reads, declared by Declaration::input. The host takes its values at each
-// observation and sample of the reader, after the other probe has observed.
+// A column of another probe that a probe reads, declared by Declaration::input. The host takes its values at
+// each observation and sample of the reader, after the other probe has observed.
 struct InputColumn {
   const char* name = nullptr;  // "<probe>.<column>"; null if it is not given
   const char* unit = nullptr;

@@ -9,8 +9,8 @@
 
 namespace scree {
 
-// A height along an axis that a probe is given in m, or as a share of the length between the two walls that are
-// normal to the axis, when the probe starts:
+// A height along an axis that a probe is given in m, or as a share of the length between the two walls that
+// are normal to the axis, when the probe starts:
 //
 //   scree::LayerHeight at = {"at", "at_share"};
 //   in declare   at.declare(d, "centre of the layer", "the same as a share of the length between the walls");

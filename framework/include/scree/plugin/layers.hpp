@@ -53,8 +53,8 @@ struct Layers {
     return period > 0 ? off - period * std::round(off / period) : off;
   }
 
-  // Puts body i into the layer layer_of(i), or into none if that is no index below `count`, and returns the layers as
-  // they are now. centre_of(n): height near the bodies of layer n (m).
+  // Puts body i into the layer layer_of(i), or into none if that is no index below `count`, and returns the
+  // layers as they are now. centre_of(n): height near the bodies of layer n (m).
   template <class CentreOf, class LayerOf>
   std::vector<LayerMotion> gather(const scree_view& view, const CentreOf& centre_of, const LayerOf& layer_of,
                                   double* state) const {
@@ -73,8 +73,8 @@ struct Layers {
     return motion(view, state);
   }
 
-  // Layers of all bodies at most half_width (m) from each of `count` heights (m), which must lie further apart.
-  // Returns the problem and a remedy if a layer has no body, or "".
+  // Layers of all bodies at most half_width (m) from each of `count` heights (m), which must lie further
+  // apart. Returns the problem and a remedy if a layer has no body, or "".
   std::string start_around(const scree_view& view, const double* centres, double half_width,
                            double* state) const {
     const auto layer_of = [&](std::uint64_t i) {
@@ -110,8 +110,8 @@ struct Layers {
   }
 
  private:
-  // At the start: height near the bodies, so that sums over them keep their digits; mean height above it, of the nearest
-  // images; mean path above it.
+  // At the start: height near the bodies, so that sums over them keep their digits; mean height above it, of
+  // the nearest images; mean path above it.
   enum : std::uint64_t { centre, above, path, header };
 
   std::string without_bodies(const scree_view& view, double at, double half_width) const {

@@ -15,10 +15,10 @@ struct LoadControl {
   double tries = 1000;     // n >= 1, rounded down
 
   // excess(s): load minus pressing force (N) after a displacement s (m) along the direction of the pressing
-  // force. Returns an s of at most v|step|: of the multiples of v|step|/n the one whose load is nearest to the
-  // pressing force, if on_grid; else where they are equal up to 1e-9 of `press` (N). If no s reaches the pressing
-  // force, the one of v|step| or −v|step| that is nearest. guess: s (m) from which the search begins; stiffness:
-  // that of the contacts (N/m), for the next search too, or 0.
+  // force. Returns an s of at most v|step|: of the multiples of v|step|/n the one whose load is nearest to
+  // the pressing force, if on_grid; else where they are equal up to 1e-9 of `press` (N). If no s reaches the
+  // pressing force, the one of v|step| or −v|step| that is nearest. guess: s (m) from which the search
+  // begins; stiffness: that of the contacts (N/m), for the next search too, or 0.
   template <class Excess>
   double displacement(const Excess& excess, double guess, double step, double press, bool on_grid,
                       double& stiffness) const {
@@ -63,7 +63,8 @@ struct LoadControl {
       if (!closed()) return lower.tried ? lower.at : upper.at;
       return -lower.excess <= upper.excess ? lower.at : upper.at;
     }
-    // The proposal, on the grid, if it lies inside; else the limit ahead or, in a closed interval, its middle.
+    // The proposal, on the grid, if it lies inside; else the limit ahead or, in a closed interval, its
+    // middle.
     double inside(double proposal, bool ahead_is_upper, double spacing) const {
       if (!(proposal > lower.at && proposal < upper.at))
         proposal = closed() ? 0.5 * (lower.at + upper.at) : ahead_is_upper ? upper.at : lower.at;

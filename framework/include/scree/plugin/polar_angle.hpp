@@ -8,8 +8,8 @@
 
 namespace scree {
 
-// arcsin x for |x| <= sin(π/8), to one unit in the last place: the Chebyshev approximation of (arcsin x − x)/x³
-// in x² (relative error of the result 2e-17; in single precision 2e-8).
+// arcsin x for |x| <= sin(π/8), to one unit in the last place: the Chebyshev approximation of (arcsin x −
+// x)/x³ in x² (relative error of the result 2e-17; in single precision 2e-8).
 template <class T>
 inline T small_arcsine(const T& x) {
   const T square = x * x;
@@ -24,8 +24,8 @@ inline T small_arcsine(const T& x) {
   return fused(x * square, rest, x);
 }
 
-// Angle of a unit vector from the x axis (rad), in [−π, π]: branch-free, with the same bits at every instruction
-// level. The vector is mirrored into the first quadrant and turned to within π/8 of the x axis.
+// Angle of a unit vector from the x axis (rad), in [−π, π]: branch-free, with the same bits at every
+// instruction level. The vector is mirrored into the first quadrant and turned to within π/8 of the x axis.
 template <class T>
 inline T polar_angle(const Vec<2, T>& unit) {
   using std::abs;

@@ -23,8 +23,8 @@
 //   void observe(const scree_view&, double* state) const;        optional: updates the state at every step
 //   void sample(const scree_view&, const double* state, double* row) const;   writes one row of values
 //
-// `describe` may set `observes` to 0 if the parameters make observation unnecessary, and sets `leaves_out` to 1 in a probe
-// that asks counts() of each body, so that scenarios may choose the bodies.
+// `describe` may set `observes` to 0 if the parameters make observation unnecessary, and sets `leaves_out` to
+// 1 in a probe that asks counts() of each body, so that scenarios may choose the bodies.
 
 namespace scree {
 

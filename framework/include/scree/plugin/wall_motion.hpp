@@ -13,11 +13,11 @@ namespace scree {
 //   massless: F + P = 0             s' is limited in both
 //   others:   s is constant,        d: from a displacement, a velocity or, by the caller, a strain rate
 //
-// F is the load of the contacts along the direction, P the pressing force. Only increments of d count, so that
-// the wall moves on from where it is. Energy: ½ m s'² is kinetic, P s' − F d' the power of work, γ s'² is
-// dissipated. Velocity Verlet, implicit in the viscosity; a constant force is exact. Servo and massless walls do
-// the work −F x', and their speed at the end of a step is displacement / step: a first-order error where
-// contacts are damped.
+// F is the load of the contacts along the direction, P the pressing force. Only increments of d count, so
+// that the wall moves on from where it is. Energy: ½ m s'² is kinetic, P s' − F d' the power of work, γ s'²
+// is dissipated. Velocity Verlet, implicit in the viscosity; a constant force is exact. Servo and massless
+// walls do the work −F x', and their speed at the end of a step is displacement / step: a first-order error
+// where contacts are damped.
 struct WallMotion {
   enum Control { pressed, fixed, displaced, at_velocity, strained, servo, massless };
 
@@ -49,8 +49,8 @@ struct WallMotion {
   bool moves() const { return control != fixed; }
   // Whether each step seeks the displacement with the wanted load, by `begin_by_load`.
   bool seeks_load() const { return control == servo || control == massless; }
-  // Largest speed of the displacements x for which it asks the load (m/s); a superposed motion is assumed to be
-  // no faster than the limit of s'.
+  // Largest speed of the displacements x for which it asks the load (m/s); a superposed motion is assumed to
+  // be no faster than the limit of s'.
   double displacement_speed(const LoadControl& limits) const {
     return seeks_load() ? (superposed.given() ? 2 : 1) * limits.speed_limit : 0;
   }
@@ -58,7 +58,8 @@ struct WallMotion {
   // Whether s' must be kept between steps, because it is not the speed of the wall.
   bool superposes() const { return control == pressed && superposed.given(); }
 
-  // What programs prescribe for the step from `time`; with step 0, the speed at that time. Not for `strained`.
+  // What programs prescribe for the step from `time`; with step 0, the speed at that time. Not for
+  // `strained`.
   Prescribed prescribed(double time, double step) const {
     if (control == displaced) return increment(displacement, time, step);
     if (control == at_velocity) return {step * mean(velocity, time, step), velocity(time + step)};
@@ -78,9 +79,9 @@ struct WallMotion {
     return {step * mid + p.distance, mid + p.distance / step, end + p.speed, end};
   }
 
-  // First half of a step of a wall that seeks a load. forces: load at the start, pressing force at the end
-  // of the step; load(x): load at the end after a displacement x (m); mid_speed: of the last step, stiffness: of the
-  // contacts (N/m), kept from one step to the next.
+  // First half of a step of a wall that seeks a load. forces: load at the start, pressing force at the end of
+  // the step; load(x): load at the end after a displacement x (m); mid_speed: of the last step, stiffness: of
+  // the contacts (N/m), kept from one step to the next.
   template <class Load>
   StepMotion begin_by_load(const LoadControl& limits, double mid_speed, double& stiffness,
                            const Prescribed& p, const Forces& forces, double step, const Load& load,
@@ -117,7 +118,8 @@ struct WallMotion {
     return before.control == pressed ? free_speed : speed;
   }
 
-  // The equation of small motions along a direction, with what programs prescribe and the pressing force (N) now.
+  // The equation of small motions along a direction, with what programs prescribe and the pressing force (N)
+  // now.
   LinearWall linear(const Vec3& direction, const Prescribed& now, double pressing_force) const {
     if (!moved_by_forces()) return {.direction = direction, .speed = now.speed};
     LinearWall wall = {

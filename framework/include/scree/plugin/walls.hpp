@@ -9,8 +9,9 @@
 
 namespace scree {
 
-// Index of the innermost wall that is normal to an axis, at its lower end (sign 1) or its upper end (sign −1);
-// −1 if there is none. absent: of each wall, whether it is not there; such a wall counts only where no other is.
+// Index of the innermost wall that is normal to an axis, at its lower end (sign 1) or its upper end (sign
+// −1); −1 if there is none. absent: of each wall, whether it is not there; such a wall counts only where no
+// other is.
 inline int wall_across(std::span<const scree_plane> walls, int axis, int sign,
                        const std::uint8_t* absent = nullptr) {
   constexpr double along = 0.999999;
@@ -33,8 +34,8 @@ inline double wall_height(std::span<const scree_plane> walls, int axis, int sign
   return wall < 0 ? std::numeric_limits<double>::quiet_NaN() : walls[std::size_t(wall)].point[axis];
 }
 
-// Force (N) with which contacts press on a wall across an axis that has them at both ends, above 0 in compression: the
-// mean of the two, or of the one that is there.
+// Force (N) with which contacts press on a wall across an axis that has them at both ends, above 0 in
+// compression: the mean of the two, or of the one that is there.
 inline double pressing_force(std::span<const scree_plane> walls, const scree_load* loads, int axis,
                              const std::uint8_t* absent = nullptr) {
   const int low = wall_across(walls, axis, 1, absent), high = wall_across(walls, axis, -1, absent);

@@ -5,8 +5,8 @@
 
 namespace scree {
 
-// The waves with which walls are driven, for Program: functions of time with their derivatives. Each begins at
-// t = 0 and is 0 before.
+// The waves with which walls are driven, for Program: functions of time with their derivatives. Each begins
+// at t = 0 and is 0 before.
 namespace waveform {
 
 inline constexpr double pi = 3.14159265358979323846;

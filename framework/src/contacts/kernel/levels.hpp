@@ -2,12 +2,12 @@
 
 #include "contacts/forces.hpp"
 
-// The hot loops are compiled once for each instruction level x86-64-v<n>, 1 being the baseline, in targets of their own
-// (framework/CMakeLists.txt) that define SCREE_KERNEL_LEVEL as n. Without contraction and reassociation all levels
-// have the same bits.
+// The hot loops are compiled once for each instruction level x86-64-v<n>, 1 being the baseline, in targets of
+// their own (framework/CMakeLists.txt) that define SCREE_KERNEL_LEVEL as n. Without contraction and
+// reassociation all levels have the same bits.
 
-// An attribute selects the instructions, not an option of the compiler: inline functions of other headers, of which
-// the linker keeps one copy for all levels, must run on every processor.
+// An attribute selects the instructions, not an option of the compiler: inline functions of other headers, of
+// which the linker keeps one copy for all levels, must run on every processor.
 #if SCREE_KERNEL_LEVEL == 4
 #define SCREE_AT_KERNEL_LEVEL [[gnu::flatten, gnu::target("arch=x86-64-v4,prefer-vector-width=512")]]
 #elif SCREE_KERNEL_LEVEL == 3

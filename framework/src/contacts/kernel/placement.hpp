@@ -14,8 +14,8 @@ inline bool reads_placement(const scree_contact_instance& law) {
   return reads_orientations(law) || (law.reads & (1u << SCREE_SEPARATION | 1u << SCREE_RADII));
 }
 
-// After `gather`: gathers what the law reads of orientations, separations and radii of the pairs
-// [begin, begin + count), and passes it to the law. Not inlined into the loops over blocks, which rarely need it.
+// After `gather`: gathers what the law reads of orientations, separations and radii of the pairs [begin,
+// begin + count), and passes it to the law. Not inlined into the loops over blocks, which rarely need it.
 template <bool planes, class T>
 void gather_placement(const EvaluationInput& input, const scree_contact_instance& law, std::size_t begin,
                       std::uint32_t count, BlockColumns<T>& block);

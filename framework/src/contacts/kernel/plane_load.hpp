@@ -8,8 +8,8 @@ namespace scree::kernel {
 
 struct TileJob;
 
-// Evaluates all pairs of a job, which are with one plane, and writes their force on it (N); changes histories,
-// and nothing else. Needs neither tiles nor slots.
+// Evaluates all pairs of a job, which are with one plane, and writes their force on it (N); changes
+// histories, and nothing else. Needs neither tiles nor slots.
 using EvaluatePlaneLoad = void (*)(const TileJob&, scree_load& load);
 
 // As tile_evaluation.

@@ -10,7 +10,8 @@ namespace scree::packing {
 
 namespace {
 
-// Over the smallest radius: more than the round-off of positions that are folded into the domain. Distances decide.
+// Over the smallest radius: more than the round-off of positions that are folded into the domain. Distances
+// decide.
 constexpr double search_margin = 1e-6;
 
 Domain domain_of(const Packing& packing) {

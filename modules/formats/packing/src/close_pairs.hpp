@@ -19,8 +19,8 @@ struct ClosePair {
   }
 };
 
-// Calls visit(pair) for each overlapping pair of a packing that passes check(), in no particular order, until it returns
-// false.
+// Calls visit(pair) for each overlapping pair of a packing that passes check(), in no particular order, until
+// it returns false.
 void visit_close_pairs(const Packing& packing, const std::function<bool(const ClosePair&)>& visit);
 
 }  // namespace scree::packing

@@ -12,8 +12,8 @@ namespace scree::packing {
 
 namespace {
 
-// Overlap, over the smaller radius, at which bodies count as clear of each other; they grow by twice as much more than
-// they have to, so that none is left.
+// Overlap, over the smaller radius, at which bodies count as clear of each other; they grow by twice as much
+// more than they have to, so that none is left.
 constexpr double tolerance = 1e-4, excess = 2e-4;
 constexpr double first_growth = 0.02, least_growth = 1e-4;  // of the radii, in one go
 constexpr int most_sweeps = 2000;                           // of all pairs, in one go
@@ -88,8 +88,8 @@ class Growth {
     return largest;
   }
 
-  // Parts the bodies of each pair that overlap, one pair after the other. Returns the largest overlap over the smaller
-  // radius before.
+  // Parts the bodies of each pair that overlap, one pair after the other. Returns the largest overlap over
+  // the smaller radius before.
   double push_pairs(double scale) {
     double largest = 0.0;
     for (const NeighbourPair& pair : pairs_) {

@@ -18,7 +18,8 @@ inline constexpr std::int64_t max_type = 10'000;
 std::string material_of_type(const files::Token& type, const std::vector<std::string>& materials,
                              const files::TextReader& reader);
 
-// The same of a number that counts from 0, such as a species of MercuryDPM or a material of YADE. what: its name.
+// The same of a number that counts from 0, such as a species of MercuryDPM or a material of YADE. what: its
+// name.
 std::string material_of_number(const files::Token& number, std::string_view what,
                                const std::vector<std::string>& materials, const files::TextReader& reader);
 

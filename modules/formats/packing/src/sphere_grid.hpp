@@ -9,11 +9,12 @@
 
 namespace scree::packing {
 
-// Spheres that are added one after the other, the largest first, in cells of their size: a question about another one
-// that is not larger looks at 3^dimension cells for each power of two between the sizes so far.
+// Spheres that are added one after the other, the largest first, in cells of their size: a question about
+// another one that is not larger looks at 3^dimension cells for each power of two between the sizes so far.
 class SphereGrid {
  public:
-  // No sphere may be larger than `largest` (m). Distances along periodic axes of the domain are the shortest ones.
+  // No sphere may be larger than `largest` (m). Distances along periodic axes of the domain are the shortest
+  // ones.
   SphereGrid(int dimension, const Domain& domain, double largest);
 
   // Adds a sphere; one that is smaller than later ones is to be added with `as_radius`, the largest of those.
@@ -25,7 +26,8 @@ class SphereGrid {
 
  private:
   using Cell = std::array<std::int64_t, 3>;
-  // Spheres with the same power of two of largest/radius. Cells are the places of a table, which they may share.
+  // Spheres with the same power of two of largest/radius. Cells are the places of a table, which they may
+  // share.
   struct Level {
     Vec3 cell;                        // (m) edges
     Cell period;                      // cells along periodic axes; 0 along others

@@ -21,8 +21,8 @@ struct TableColumn {
   Kind kind = Kind::value;
 };
 
-// The columns that words name, with their units in brackets; those with other names are unread. Fails for a unit that
-// is not SI.
+// The columns that words name, with their units in brackets; those with other names are unread. Fails for a
+// unit that is not SI.
 std::vector<TableColumn> columns_of_names(const std::vector<Token>& names, const TextReader& reader);
 // Whether these are enough for a table: x, y and a size.
 bool are_complete(const std::vector<TableColumn>& columns);

@@ -36,7 +36,8 @@ std::vector<double> largest_forces(const Frame& frame) {
   return known ? largest : std::vector<double>();
 }
 
-// Mean normal stress of each body by Love and Weber, Σ_c f_n l/(D V), with the arms l to the middle of the overlap.
+// Mean normal stress of each body by Love and Weber, Σ_c f_n l/(D V), with the arms l to the middle of the
+// overlap.
 std::vector<double> pressures(const Frame& frame) {
   std::vector<double> pressure(frame.particle_count(), 0.0);
   const bool known = for_each_end(frame, [&](std::size_t body, std::size_t c) {

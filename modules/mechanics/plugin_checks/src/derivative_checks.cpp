@@ -98,8 +98,8 @@ struct Worst {
   int compared = 0, kinks = 0;
 };
 
-// Compares one column; where the slopes between neighbouring points differ the law changes its branch, and the
-// column is left out.
+// Compares one column; where the slopes between neighbouring points differ the law changes its branch, and
+// the column is left out.
 void compare(const LawUnderCheck& law, int variant, int step, const std::vector<double>& history,
              PairMotion motion, int k, const ContactJacobian& derivative, const std::vector<double>& jacobian,
              Worst& worst) {

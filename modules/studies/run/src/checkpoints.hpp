@@ -12,8 +12,8 @@
 
 namespace scree::run {
 
-// The states in the directory of a run: checkpoint/step_<number>.h5, of which the two latest are kept, states/<stage>.h5,
-// and final_state.h5: their names. add() throws Error (failure).
+// The states in the directory of a run: checkpoint/step_<number>.h5, of which the two latest are kept,
+// states/<stage>.h5, and final_state.h5: their names. add() throws Error (failure).
 class Checkpoints {
  public:
   explicit Checkpoints(const RunDirectory& directory) : directory_(directory) {}
@@ -34,8 +34,8 @@ class Checkpoints {
   };
   // Why a run cannot go on from a state; nothing if it can.
   using Refusal = std::function<std::optional<std::string>(const Latest&)>;
-  // The state after the most steps that can be read and is not refused; those that are passed over for it are reported.
-  // Nothing if there is no file of a state. Throws Error if there is none that can be used.
+  // The state after the most steps that can be read and is not refused; those that are passed over for it are
+  // reported. Nothing if there is no file of a state. Throws Error if there is none that can be used.
   std::optional<Latest> latest(const Refusal& refusal,
                                const std::function<void(const std::string&)>& report) const;
   // The state at the end of a stage. Throws Error if there is none that can be used.

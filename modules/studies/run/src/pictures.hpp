@@ -27,8 +27,8 @@ class Pictures {
   std::uint64_t take(const Simulation& simulation, std::uint64_t steps);
   // Step count after the start of a stage at which the next output is due.
   std::uint64_t next(const Simulation& simulation, std::uint64_t steps) const;
-  // What the next pictures take from the last: their frame and the range of their colours; and how many frames the
-  // trajectory has. Throws Error if that of a run that goes on has not so many.
+  // What the next pictures take from the last: their frame and the range of their colours; and how many
+  // frames the trajectory has. Throws Error if that of a run that goes on has not so many.
   void transfer(const StateTransfer& state);
   // Drops the frames of the trajectory that came after the state.
   void cut();

@@ -55,7 +55,8 @@ bool is_foreign_list(const fs::path& path, const Layout& layout) {
   return !written.empty() && !written.contains(layout.record);
 }
 
-// True if there is nothing but the log, the lock, the list and incomplete files of a process killed at its start.
+// True if there is nothing but the log, the lock, the list and incomplete files of a process killed at its
+// start.
 bool is_unused(const fs::path& path, const Layout& layout) {
   std::set<std::string> known = {RunDirectory::log_name, files::DirectoryLock::file_name,
                                  WrittenFiles::file_name, std::string(layout.record) + files::part_suffix};

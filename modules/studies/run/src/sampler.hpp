@@ -22,7 +22,8 @@ std::uint64_t next_due(std::uint64_t steps, double every, double step);
 inline constexpr std::uint64_t never = ~std::uint64_t(0);
 
 // The probes of a run, each with its series. Probes that observe do so on a clock of their own, so that what
-// they keep does not depend on when samples are taken. A probe that reads columns of others comes after these.
+// they keep does not depend on when samples are taken. A probe that reads columns of others comes after
+// these.
 class Sampler : public StageColumns {
  public:
   explicit Sampler(const scenario::Plan& plan);
@@ -32,16 +33,17 @@ class Sampler : public StageColumns {
   void open(const std::filesystem::path& folder);
   // Throws Error if what a probe keeps was restored with another size than its plug-in expects.
   void check_restored(const Simulation& simulation) const;
-  // Goes on with the files of a run whose state has been restored, in the stage of this number; cut() cuts them to the
-  // lengths that they had then. Throws Error if one of them is not as it was up to there; all are left as they are.
+  // Goes on with the files of a run whose state has been restored, in the stage of this number; cut() cuts
+  // them to the lengths that they had then. Throws Error if one of them is not as it was up to there; all are
+  // left as they are.
   void reopen(const std::filesystem::path& folder, std::size_t stage);
   void cut();
   // Keeps the rows in memory only. Without any open() they are not kept.
   void open();
   // What the probes keep, and how far their series have come; these must be flushed.
   void transfer_probes(const StateTransfer& state);
-  // Takes the observations, then the samples due `steps` after the start of a stage. Returns the step count at
-  // which the next are due.
+  // Takes the observations, then the samples due `steps` after the start of a stage. Returns the step count
+  // at which the next are due.
   std::uint64_t take(const Simulation& simulation, const std::string& stage, std::uint64_t steps) override;
   // Step count after the start of a stage at which the next observation or sample is due.
   std::uint64_t next(const Simulation& simulation, const std::string& stage,
@@ -54,7 +56,8 @@ class Sampler : public StageColumns {
   void flush();
   // Closes the files and forgets the rows.
   void close();
-  // A line for each probe that observes the run and has columns without a value in its last row: "<what>; <cure>".
+  // A line for each probe that observes the run and has columns without a value in its last row: "<what>;
+  // <cure>".
   std::vector<std::string> unfilled() const;
   // Series of a probe, by name.
   const Series& series(const std::string& probe) const;

@@ -78,7 +78,8 @@ void check_probes(const scenario::Plan& plan, const Simulation& simulation) {
   for (const scenario::ProbePlan& probe : plan.probes) {
     const Span span = span_of(probe, plan.stages);
     const bool later = span.begin != 0;
-    // A probe of later stages may read contacts or walls that do not exist yet; then nothing is known of its times either.
+    // A probe of later stages may read contacts or walls that do not exist yet; then nothing is known of its
+    // times either.
     if (later && (!std::isfinite(span.begin) || !starts(probe, plan, simulation))) continue;
     try {
       check_start(probe, plan, simulation, simulation.time() + span.begin, simulation.time() + span.end);

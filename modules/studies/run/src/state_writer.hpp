@@ -13,8 +13,8 @@
 
 namespace scree::run {
 
-// Writes the states of a run when they are due by wall time or simulated time, and at its end. A checkpoint is
-// written by a thread of its own while the run goes on, one at a time; by this one if there is no other.
+// Writes the states of a run when they are due by wall time or simulated time, and at its end. A checkpoint
+// is written by a thread of its own while the run goes on, one at a time; by this one if there is no other.
 class StateWriter {
  public:
   // save: the state of the run at the time of the call, after its file has been listed.
@@ -25,7 +25,8 @@ class StateWriter {
   void look_at_clock();
   // Whether a checkpoint is due by wall time.
   bool is_waiting() const { return waiting_; }
-  // Step count after the start of a stage at which a checkpoint is due by simulated time; `steps`: the present one.
+  // Step count after the start of a stage at which a checkpoint is due by simulated time; `steps`: the
+  // present one.
   std::uint64_t next(std::uint64_t steps) const;
   // Writes a checkpoint if one is due.
   void write_due();
@@ -33,7 +34,8 @@ class StateWriter {
   void write_checkpoint();
   // Waits until the last checkpoint is on the disk.
   void finish();
-  // Writes the state at the end of a stage and the start of the next one. One that cannot be written is reported.
+  // Writes the state at the end of a stage and the start of the next one. One that cannot be written is
+  // reported.
   void write_stage(const std::string& stage);
   // Throw Error (failure) if it cannot be written.
   void write_final();

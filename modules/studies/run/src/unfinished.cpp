@@ -53,7 +53,8 @@ std::map<std::string, std::string> body_paths(const Document& document) {
   return paths;
 }
 
-// The scenario with which results began, with the paths of the present file where they name the same file of bodies.
+// The scenario with which results began, with the paths of the present file where they name the same file of
+// bodies.
 std::string with_paths_of(const Document& now, const std::string& began) {
   std::vector<std::string> paths;
   const std::map<std::string, std::string> present = body_paths(now);

@@ -148,8 +148,8 @@ bool add_frequencies(const Start& start, Simulation& simulation, const DrivenWal
   }
 }
 
-// Narrow maxima get more frequencies, from what is known at the frequencies before, so that a solution that was
-// stopped continues with the same.
+// Narrow maxima get more frequencies, from what is known at the frequencies before, so that a solution that
+// was stopped continues with the same.
 bool add_all_frequencies(const Start& start, Simulation& simulation, const DrivenWalls& walls,
                          const std::function<void()>& on_part, MethodSpectrum& spectrum) {
   std::vector<double> wanted = start.spectrum.frequencies();

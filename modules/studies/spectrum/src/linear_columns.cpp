@@ -14,8 +14,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// Largest displacement of a difference over the smallest radius: far above round-off of positions, far below the
-// sizes of contacts.
+// Largest displacement of a difference over the smallest radius: far above round-off of positions, far below
+// the sizes of contacts.
 constexpr double largest_share = 1e-3;
 
 // All columns of one probe.

@@ -17,9 +17,9 @@
 
 namespace scree::spectrum {
 
-// A view of a simulation whose bodies and walls are displaced by a share of a harmonic motion, at the phase 0 or
-// −π/2 of e^(iωt): by the real or the imaginary part of their amplitudes. Contacts, forces, lengths and spins do not
-// change.
+// A view of a simulation whose bodies and walls are displaced by a share of a harmonic motion, at the phase 0
+// or −π/2 of e^(iωt): by the real or the imaginary part of their amplitudes. Contacts, forces, lengths and
+// spins do not change.
 class DisplacedView {
  public:
   enum class Part { real, imaginary };

@@ -9,8 +9,9 @@
 // The frequencies at which the linear response is solved, and in which order.
 namespace scree::spectrum {
 
-// Frequencies about maxima that are too narrow for the grid to give their widths: with them, a width has eight. Of the
-// columns that respond; empty where all maxima are wide enough. Increasing, without the frequencies of the spectrum.
+// Frequencies about maxima that are too narrow for the grid to give their widths: with them, a width has
+// eight. Of the columns that respond; empty where all maxima are wide enough. Increasing, without the
+// frequencies of the spectrum.
 std::vector<double> frequencies_about_maxima(const SpectrumPlan& plan, const MethodSpectrum& spectrum);
 
 // Those of all frequencies that are not among the found ones. Both increase.

@@ -60,8 +60,9 @@ std::string peak_table(const Measurement& m) {
   return text;
 }
 
-// By method, column and name, so that several packings can be compared: peaks.linear.strain.strain.3λ/4.frequency.
-// A peak without a name has its number: peaks.pulse.strain.strain.peak_1.frequency.
+// By method, column and name, so that several packings can be compared:
+// peaks.linear.strain.strain.3λ/4.frequency. A peak without a name has its number:
+// peaks.pulse.strain.strain.peak_1.frequency.
 Json peaks_of(const Measurement& m) {
   Json peaks = Json::object();
   for (const Resonance& r : m.resonances) {

@@ -15,8 +15,8 @@ class Observer {
 
   // What views must contain.
   std::uint32_t needs() const;
-  // The value of each observed column; the first call starts the probes. Throws Error if the scene lacks what a probe
-  // reads.
+  // The value of each observed column; the first call starts the probes. Throws Error if the scene lacks what
+  // a probe reads.
   const std::vector<double>& values(const scree_view& view);
   const std::vector<double>& values(const Simulation& simulation);
   void transfer(const StateTransfer& state);
@@ -34,7 +34,8 @@ class Observer {
   std::vector<double> values_;
 };
 
-// Throws Error at a column without a finite value in the present state, and where a probe lacks what it reads.
+// Throws Error at a column without a finite value in the present state, and where a probe lacks what it
+// reads.
 void check_observed(const scenario::Plan& plan, const std::vector<ObservedColumn>& observed,
                     const Simulation& simulation);
 

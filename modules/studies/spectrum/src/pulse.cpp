@@ -97,9 +97,9 @@ void add_pulse_response(const PulseRecord& full, const PulseRecord& half, const 
   }
 }
 
-// Frequencies and columns from records of noise, at full and at half the amplitude: Welch segments of 2 / step_hz and
-// every second of their frequencies, which hardly correlate. Errors: of the coherence, and the leakage of the window,
-// H'' / (6 T²) (transfer_function.hpp), from differences of neighbours.
+// Frequencies and columns from records of noise, at full and at half the amplitude: Welch segments of 2 /
+// step_hz and every second of their frequencies, which hardly correlate. Errors: of the coherence, and the
+// leakage of the window, H'' / (6 T²) (transfer_function.hpp), from differences of neighbours.
 void add_noise_response(const PulseRecord& full, const PulseRecord& half, const SpectrumPlan& plan,
                         MethodSpectrum& spectrum) {
   spectrum.columns.resize(plan.observed.size());

@@ -6,8 +6,9 @@
 
 namespace scree::spectrum {
 
-// The response to one pulse, recorded until it has decayed, and to one of half the amplitude: Fourier sums of the
-// response over those of the drive; for noise, averages over segments. Throws Error (interrupted) if it was stopped.
+// The response to one pulse, recorded until it has decayed, and to one of half the amplitude: Fourier sums of
+// the response over those of the drive; for noise, averages over segments. Throws Error (interrupted) if it
+// was stopped.
 MethodSpectrum pulse_spectrum(const Start& start);
 
 }  // namespace scree::spectrum

@@ -38,8 +38,8 @@ class PulseRecord {
   double at_start(std::size_t column) const { return at_start_[column]; }
   // Largest deviation of a column: of the undriven run from the start, else from the undriven run.
   double largest(std::size_t column) const { return largest(column, 0, samples()); }
-  // Estimate of the integral of |column| after the record if it goes on to decay as in the second half of the record;
-  // infinite if it did not decay.
+  // Estimate of the integral of |column| after the record if it goes on to decay as in the second half of the
+  // record; infinite if it did not decay.
   double beyond(std::size_t column) const;
   // The same over the integral of |column| in the record.
   double tail(std::size_t column) const;

@@ -27,7 +27,8 @@ int nodes_of(const std::vector<double>& displacement) {
   return nodes;
 }
 
-// Residual sum of squares of the sine with so many wavelengths between the ends, with the best phase and amplitude.
+// Residual sum of squares of the sine with so many wavelengths between the ends, with the best phase and
+// amplitude.
 double rest_of_sine(const std::vector<double>& displacement, double wavelengths) {
   double ss = 0, sc = 0, cc = 0, us = 0, uc = 0, uu = 0;
   for (std::size_t k = 0; k < displacement.size(); ++k) {
@@ -40,8 +41,8 @@ double rest_of_sine(const std::vector<double>& displacement, double wavelengths)
   return uu - (us * us * cc - 2 * us * uc * sc + uc * uc * ss) / determinant;
 }
 
-// Wavelengths of the sine that fits best, between an eighth below half a wavelength for each node and an eighth
-// above one half more.
+// Wavelengths of the sine that fits best, between an eighth below half a wavelength for each node and an
+// eighth above one half more.
 double wavelengths_of(const std::vector<double>& displacement) {
   constexpr double least = 0.05, beyond = 0.125, step = 1.0 / 256;
   const double nodes = nodes_of(displacement);
@@ -118,8 +119,8 @@ void set_maximum(const MethodSpectrum& spectrum, std::vector<Resonance>& all) {
 // Steps between frequencies within which a peak belongs to a maximum.
 constexpr double steps_beside = 2;
 
-// Height of an outstanding maximum over the highest response; on both sides the response falls to this share of the
-// maximum before it exceeds it.
+// Height of an outstanding maximum over the highest response; on both sides the response falls to this share
+// of the maximum before it exceeds it.
 constexpr double least_height = 0.5;
 
 // Whether the response falls to `low` on one side before it rises above its value at `from`.
@@ -131,8 +132,8 @@ bool falls(const std::vector<double>& heights, std::size_t from, int step, doubl
   return false;
 }
 
-// Places of outstanding maxima, and of the highest response unless it is at an end of the band; none if a response is
-// not a number.
+// Places of outstanding maxima, and of the highest response unless it is at an end of the band; none if a
+// response is not a number.
 std::vector<std::size_t> outstanding(const MethodSpectrum::Column& column) {
   std::vector<double> heights;
   for (const auto& response : column.response) heights.push_back(std::abs(response));

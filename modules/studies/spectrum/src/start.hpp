@@ -24,8 +24,8 @@ struct Start {
   bool proceeds() const { return !stop || !*stop; }
 };
 
-// Checks a plan before its stages have run: its drive moves walls, and a method that is alone can be used. Throws
-// Error.
+// Checks a plan before its stages have run: its drive moves walls, and a method that is alone can be used.
+// Throws Error.
 void check_before_stages(const scenario::Plan& plan, const SpectrumPlan& spectrum,
                          const std::vector<Method>& methods);
 

@@ -6,9 +6,9 @@
 
 namespace scree::spectrum {
 
-// The limit of the responses of successive blocks of periods. The transient of one mode is multiplied by the same
-// complex number from block to block, so that the limit follows from three blocks (Aitken's Δ² process); the change of
-// the limit from one block to the next is its error.
+// The limit of the responses of successive blocks of periods. The transient of one mode is multiplied by the
+// same complex number from block to block, so that the limit follows from three blocks (Aitken's Δ² process);
+// the change of the limit from one block to the next is its error.
 class SteadyState {
  public:
   // tolerance: of the error, over the larger of the limit and its scale, for each column that has a scale.

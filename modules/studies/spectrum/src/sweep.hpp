@@ -15,9 +15,10 @@
 
 namespace scree::spectrum {
 
-// One simulation through all frequencies, driven at each for some periods by a sine that continues the last one in
-// displacement; its velocity changes by the ratio of the frequencies. The response in the last periods is analysed. An
-// adaptive sweep stays until the response is steady, for at most `longest` times as many periods.
+// One simulation through all frequencies, driven at each for some periods by a sine that continues the last
+// one in displacement; its velocity changes by the ratio of the frequencies. The response in the last periods
+// is analysed. An adaptive sweep stays until the response is steady, for at most `longest` times as many
+// periods.
 class Sweep {
  public:
   static constexpr double longest = 4;
@@ -26,13 +27,14 @@ class Sweep {
   // Continues from a state that save() wrote.
   Sweep(const Start& start, const State& state);
 
-  // Measures until all frequencies are done or `Start::stop` is true; calls `measured` after each frequency, when the
-  // simulation can be saved. An incomplete frequency is dropped.
+  // Measures until all frequencies are done or `Start::stop` is true; calls `measured` after each frequency,
+  // when the simulation can be saved. An incomplete frequency is dropped.
   void run(const std::function<void()>& measured);
   // The simulation and the points so far. Only after a frequency.
   State save();
   const std::vector<SweepPoint>& points() const { return points_; }
-  // The drive of the current frequency, with which the scene of a saved sweep is made again. Only after a frequency.
+  // The drive of the current frequency, with which the scene of a saved sweep is made again. Only after a
+  // frequency.
   Wave wave() const { return wave_at(points_.back().frequency); }
   // A spectrum for each direction.
   std::vector<MethodSpectrum> spectra() const;

@@ -69,8 +69,8 @@ class ToneHalves {
 
   // As Tone::add.
   void add(double time, double drive, const std::vector<double>& values);
-  // True if one of the first columns differs between the halves by more than sweep.tolerance, relative to the larger of
-  // response and scale, and by more than five standard errors.
+  // True if one of the first columns differs between the halves by more than sweep.tolerance, relative to the
+  // larger of response and scale, and by more than five standard errors.
   bool differ(const std::vector<double>& scales) const;
 
  private:

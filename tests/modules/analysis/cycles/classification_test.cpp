@@ -161,8 +161,8 @@ TEST_CASE("a strain whose increments fall shakes down", "[classification]") {
     CHECK(of_200(Class::shakedown, power, noise / 10) >= 196);
   }
   CHECK(classify(series(exponential)).settling_probability < 1e-6);
-  // Noise of 1e-9 hides single increments, not those of means over blocks. Nine of ten must be found, less three
-  // standard deviations of such a number of 200.
+  // Noise of 1e-9 hides single increments, not those of means over blocks. Nine of ten must be found, less
+  // three standard deviations of such a number of 200.
   CHECK(of_200(
             Class::shakedown, [](double n) { return 5e-8 * std::exp(-(n - 29) / 40); }, 1e-9) >= 180 - 13);
   // Growing increments are no shakedown.
@@ -251,4 +251,5 @@ TEST_CASE("a strain that cannot be classified is refused in one line", "[classif
   CHECK(refusal_of_strain(series(flat), options).ends_with("give 0 or more, 0 to 1, above 0, and 0 or more"));
 }
 
-// By chance one in two hundred is called periodic, and again one falling, and three standard deviations more of each.
+// By chance one in two hundred is called periodic, and again one falling, and three standard deviations more
+// of each.

@@ -48,8 +48,8 @@ TEST_CASE("the first value and the last can stand off", "[outliers]") {
 }
 
 TEST_CASE("up to an eighth of the values stand off", "[outliers]") {
-  // Exactly the eight equal outliers must be found in nine of ten series, less three standard deviations of such a
-  // number of 200.
+  // Exactly the eight equal outliers must be found in nine of ten series, less three standard deviations of
+  // such a number of 200.
   std::mt19937_64 random(1);
   int found = 0;
   for (int series = 0; series < 200; ++series) {

@@ -37,8 +37,9 @@ TEST_CASE("a wave repeats with its period, and not with a multiple", "[repetitio
   }
 }
 
-// The phases have the means 6 and 3: F = 8 1.5^2 over 24/6. Their deviations -3, -2, 2, -1, 1, 1, 0, 2 have no
-// correlation of neighbours, so that nothing is taken from the values but the first, without which F is larger.
+// The phases have the means 6 and 3: F = 8 1.5^2 over 24/6. Their deviations -3, -2, 2, -1, 1, 1, 0, 2 have
+// no correlation of neighbours, so that nothing is taken from the values but the first, without which F is
+// larger.
 TEST_CASE("F compares the means of phases with the deviations within them", "[repetition]") {
   const Repetition found = best_repetition(std::vector<double>{3, 1, 8, 2, 7, 4, 6, 5});
   CHECK(found.periods == 1);

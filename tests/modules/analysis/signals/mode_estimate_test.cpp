@@ -31,8 +31,8 @@ struct WeakModes {
   double noise = 0;
 };
 
-// Modes λ/4, 3λ/4, 5λ/4 and 7λ/4 (Q 60 to 5), the second in front and of height 1, and 300 weak modes from 1 to
-// 200 kHz.
+// Modes λ/4, 3λ/4, 5λ/4 and 7λ/4 (Q 60 to 5), the second in front and of height 1, and 300 weak modes from 1
+// to 200 kHz.
 std::vector<Truth> packing(const WeakModes& weak, unsigned seed) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> uniform(0, 1);
@@ -99,7 +99,8 @@ void add(EnsembleCover& cover, const WeakModes& weak, unsigned first_seed, unsig
   }
 }
 
-// Ensembles of weak modes, with a largest height or a mean of 0.5 or 0.6 of it, and with other widths and noise.
+// Ensembles of weak modes, with a largest height or a mean of 0.5 or 0.6 of it, and with other widths and
+// noise.
 constexpr std::size_t ensembles = 3;
 WeakModes weak_modes(double height, std::size_t ensemble) {
   const std::array of = {WeakModes{height, 8, 60}, WeakModes{height / 2, 5, 40, true, 1e-3},

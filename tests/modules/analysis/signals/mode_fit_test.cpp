@@ -73,7 +73,8 @@ TEST_CASE("the covariance of a fit is the scatter of its numbers in white noise"
 }
 
 TEST_CASE("a pole stands out if its height is a quarter of what others change over its width", "[mode_fit]") {
-  // At its own frequency f0 a pole of height 1 and width w changes by 2/w per Hz. Its neighbour of width v there:
+  // At its own frequency f0 a pole of height 1 and width w changes by 2/w per Hz. Its neighbour of width v
+  // there:
   const auto fit_with = [](double height) {
     return ModeFit{{{100, 4, {400, 0}}, {100, 40, {height * 4000, 0}}}, {}, 0, 0, 0, 1, true};
   };

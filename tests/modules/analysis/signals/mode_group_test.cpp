@@ -18,8 +18,8 @@ using namespace scree::test;
 
 namespace {
 
-// Modes of a disordered packing: λ/4, 3λ/4, 5λ/4 and 7λ/4 (Q 60 to 5), the second in front, and 300 weak modes
-// from 1 to 200 kHz.
+// Modes of a disordered packing: λ/4, 3λ/4, 5λ/4 and 7λ/4 (Q 60 to 5), the second in front, and 300 weak
+// modes from 1 to 200 kHz.
 std::vector<Truth> disordered(unsigned seed) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> uniform(0, 1);
@@ -134,8 +134,8 @@ TEST_CASE("errors of a mode grow where noise is correlated over four frequencies
   CHECK(correlated > 1.5 * white);
 }
 
-// Once the modes above are known better, the fit of four poles about 24 kHz does not come to rest from the poles of
-// the round before.
+// Once the modes above are known better, the fit of four poles about 24 kHz does not come to rest from the
+// poles of the round before.
 TEST_CASE("a mode whose group no longer comes to rest from the poles of an earlier round is found",
           "[peaks]") {
   for (const double highest : {60e3, 110e3}) {

@@ -54,7 +54,8 @@ TEST_CASE("with the true frequencies and widths a model starts at the true stren
   }
 }
 
-// |H|^2 of poles far apart on no background is the sum of theirs and of their interference, which the model has in full.
+// |H|^2 of poles far apart on no background is the sum of theirs and of their interference, which the model
+// has in full.
 TEST_CASE("the model of amplitudes has the squares of strengths of poles", "[mode_model]") {
   Example example(0);
   example.modes = {{100, 4, 1, 0.6}};

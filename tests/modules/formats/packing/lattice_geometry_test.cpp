@@ -9,7 +9,8 @@
 using namespace scree::packing;
 using scree::Vec3;
 
-// Lengths are in units of the distance between nearest sites; coordinates up to 5 have errors of round-off below 1e-15.
+// Lengths are in units of the distance between nearest sites; coordinates up to 5 have errors of round-off
+// below 1e-15.
 
 namespace {
 

@@ -119,8 +119,8 @@ TEST_CASE("a solid fraction is met to rounding by one factor of all radii near 1
 }
 
 TEST_CASE("the density of a random cloud is uniform", "[packing]") {
-  // chi-square of 64 cells at 63 degrees of freedom: 99.9 % of independent points are below 103.4, and bodies that
-  // keep apart are more even. A periodic box has no layer along walls.
+  // chi-square of 64 cells at 63 degrees of freedom: 99.9 % of independent points are below 103.4, and bodies
+  // that keep apart are more even. A periodic box has no layer along walls.
   CloudOptions options = counted_in(unit_box, 6400);
   options.periodic = {true, true, true};
   const Packing periodic = cloud_of(options, ConstantRadius{0.01}).packing;
@@ -179,8 +179,8 @@ TEST_CASE("a random cloud that cannot be is refused with its cure", "[packing]")
 }
 
 TEST_CASE("the work of a random cloud grows as the number of its bodies", "[packing]") {
-  // Distances per body, of eight times the bodies, without walls. What shares a place of the table by chance counts
-  // too, so that they change by the share of the table that is used; N² would be a factor of 8.
+  // Distances per body, of eight times the bodies, without walls. What shares a place of the table by chance
+  // counts too, so that they change by the share of the table that is used; N² would be a factor of 8.
   const auto work = [](double radius) {
     CloudOptions options = filling(unit_box, 0.2);
     options.periodic = {true, true, true};

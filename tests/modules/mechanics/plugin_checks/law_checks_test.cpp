@@ -68,8 +68,9 @@ TEST_CASE("each mistake of a law fails the checks that are meant for it", "[plug
   }
 }
 
-// The elastic energy that is stated is 1.2 times that of the spring, whatever the step: what remains of the error is 1, but
-// for a part of the order of the step, at most 2 pi / 100, since steps do not meet the largest overlap.
+// The elastic energy that is stated is 1.2 times that of the spring, whatever the step: what remains of the
+// error is 1, but for a part of the order of the step, at most 2 pi / 100, since steps do not meet the
+// largest overlap.
 TEST_CASE("an error that does not fall with the step is told by what is left of it and of the bound",
           "[plugin_checks]") {
   const plugin_checks::Checks failed = failures(4);

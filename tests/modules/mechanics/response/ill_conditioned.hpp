@@ -55,8 +55,8 @@ inline response::LinearSystem stiff_and_soft(int side) {
   return response::assemble(Simulation(scene), {.fewest_contacts = 1});
 }
 
-// Large discs in a row on a floor, each surrounded by a ring of discs 30 times smaller, of about 1/27000 of its mass.
-// Without the differences of masses there would be many modes of the same frequency.
+// Large discs in a row on a floor, each surrounded by a ring of discs 30 times smaller, of about 1/27000 of
+// its mass. Without the differences of masses there would be many modes of the same frequency.
 inline response::LinearSystem large_and_small(int large) {
   constexpr double ratio = 30;
   const double ring = ratio + 0.99, angle = 2 * std::asin(0.99 / ring);

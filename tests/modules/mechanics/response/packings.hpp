@@ -58,8 +58,8 @@ inline State strained(Scene scene) {
   return Simulation(stopped, moved, Branching()).state();
 }
 
-// Forces and torques of all bodies, and forces of contacts and pressing forces on the walls that are numbered,
-// along their normals, as a vector. The walls are those of a box, the only boundary.
+// Forces and torques of all bodies, and forces of contacts and pressing forces on the walls that are
+// numbered, along their normals, as a vector. The walls are those of a box, the only boundary.
 inline Eigen::VectorXd loads(const Simulation& s, const response::DegreesOfFreedom& freedom) {
   Eigen::VectorXd all(freedom.size());
   const Particles& p = s.particles();
@@ -95,7 +95,8 @@ void each_motion(const response::DegreesOfFreedom& freedom, const Use& use) {
   }
 }
 
-// Each body is moved in a step of its own from the state, so that springs follow. Differences of fourth order.
+// Each body is moved in a step of its own from the state, so that springs follow. Differences of fourth
+// order.
 inline Matrix stiffness_by_differences(const Scene& scene, const State& state,
                                        const response::DegreesOfFreedom& freedom) {
   const double length = 2e-4;

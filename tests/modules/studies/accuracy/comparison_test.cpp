@@ -46,7 +46,8 @@ TEST_CASE("a study of a peak finds the shift of its frequency by the step", "[ac
   for (const SettingResult& o : result.outcomes) {
     if (o.setting.precision == Precision::mixed) continue;
     CAPTURE(o.setting.step, o.errors[0], o.problem);
-    // The next term is smaller by (ωh)² = 0.012 at most; damping, Q = 20, shifts the mode by 1/(8 Q²) = 3e-4 of itself.
+    // The next term is smaller by (ωh)² = 0.012 at most; damping, Q = 20, shifts the mode by 1/(8 Q²) = 3e-4
+    // of itself.
     CHECK(o.errors[0] == Approx(shift(mode, o.setting.step)).epsilon(0.02));
     ++compared;
   }

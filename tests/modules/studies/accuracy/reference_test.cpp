@@ -57,7 +57,8 @@ TEST_CASE("a reference is the closed form, 0 of a residual, or the limit of vani
   e.reference = 3.5, e.tolerance = 1;
   CHECK(reference(e).reference == 3.5);
   CHECK(reference(e).closed_form);
-  // Cut short, or with a closed form for the step of the file alone, the limit: an error of second order leaves none.
+  // Cut short, or with a closed form for the step of the file alone, the limit: an error of second order
+  // leaves none.
   CHECK(reference(e, true).reference == Approx(3).epsilon(1e-14));
   e.of_step = true;
   CHECK(reference(e).reference == Approx(3).epsilon(1e-14));

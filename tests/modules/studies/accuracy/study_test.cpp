@@ -89,7 +89,8 @@ TEST_CASE("a study compares the amplitude that a lock-in measures", "[accuracy]"
   for (const SettingResult& o : result.outcomes)
     if (o.setting.precision == Precision::double_precision) errors.push_back(o.errors.at(1));
   REQUIRE(errors.size() == 4);
-  // Of second order: eight times smaller steps, 64 times smaller errors, but for where samples lie in a period.
+  // Of second order: eight times smaller steps, 64 times smaller errors, but for where samples lie in a
+  // period.
   CHECK(errors[0] > 30 * errors[3]);
   CHECK(errors[3] < 1e-4);
 }

@@ -39,7 +39,8 @@ TEST_CASE("a row has lengths, stresses and strains of a box") {
   CHECK(
       row.head() ==
       "time [s],length_x [m],length_y [m],stress_xx [Pa],stress_yy [Pa],strain_xx,strain_yy,contacts,sliding,dynamic\n");
-  // Stresses: the mean force on both walls over the length of the wall (of a disc 1 m thick). Strains: shorter by a fifth.
+  // Stresses: the mean force on both walls over the length of the wall (of a disc 1 m thick). Strains:
+  // shorter by a fifth.
   CHECK(row.line(box()) == "1.5,2,4,2.5,2,0.19999999999999996,0.19999999999999996,7,2,0\n");
   CHECK(row.deviatoric_strain(box()) == 0);
   Sample moving = box();

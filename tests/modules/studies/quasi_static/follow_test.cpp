@@ -40,7 +40,8 @@ constexpr std::size_t time_column = 0, strain_xx = 5, strain_yy = 6;
 
 }  // namespace
 
-// Packing 5: a load that jumps, which sets it in motion. What is left of the motion is not dropped before it is at rest.
+// Packing 5: a load that jumps, which sets it in motion. What is left of the motion is not dropped before it
+// is at rest.
 TEST_CASE("a packing that moves goes on by dynamics until it is at rest") {
   const std::vector<std::string> jump = {"scene.seed=5", "stage.cycles.cycles=2", "time.step=1e-3",
                                          "stage.cycles.set.box.stress_y_high.from=5",
@@ -59,7 +60,8 @@ TEST_CASE("a packing that moves goes on by dynamics until it is at rest") {
   const double length_x = simulation->planes()[1].point[0] - simulation->planes()[0].point[0];
   while (!stages.finished()) stages.run(1000, [] { return true; });
   const double moved = simulation->planes()[1].point[0] - simulation->planes()[0].point[0];
-  // E_kin < 1e-6 E_el: what is dropped moves bodies by the root of it, 1e-3, times the overlaps, some 1e-2 of the strain of a body.
+  // E_kin < 1e-6 E_el: what is dropped moves bodies by the root of it, 1e-3, times the overlaps, some 1e-2 of
+  // the strain of a body.
   CHECK(rows.back()[strain_xx] == Approx(1 - moved / length_x).margin(1e-5));
 }
 
@@ -85,7 +87,8 @@ TEST_CASE("a quasi-static load that is interrupted says how far it came") {
   CHECK_THAT(message([&] { quasi_static::follow(cycled_discs("12"), {.out = folder / "out"}); }),
              Catch::Contains("already contains a quasi-static load; go on with it: scree resume " +
                              (folder / "out").string() + ", or give another --out"));
-  // With those to the balance at the start, from the stages before and from the state of the first cycle, and those that ended at events.
+  // With those to the balance at the start, from the stages before and from the state of the first cycle, and
+  // those that ended at events.
   CHECK(record["increments"] >= rows.size() + 1);
 }
 

@@ -7,8 +7,8 @@
 
 #include <catch2/catch.hpp>
 
-// Packings in balance with their load, checked by the kernel, which shares no code with the search for balance but the
-// contact laws.
+// Packings in balance with their load, checked by the kernel, which shares no code with the search for
+// balance but the contact laws.
 
 namespace scree::test {
 
@@ -24,8 +24,8 @@ double largest_load(const Simulation& s) {
   return largest;
 }
 
-// After one step from rest, twice the momentum over the step: the force that was not in balance at its end (N); likewise torques over
-// the radius.
+// After one step from rest, twice the momentum over the step: the force that was not in balance at its end
+// (N); likewise torques over the radius.
 double unbalanced(const Simulation& s) {
   const Particles& p = s.particles();
   double largest = 0;
@@ -39,7 +39,8 @@ double unbalanced(const Simulation& s) {
   return largest;
 }
 
-// Largest difference between the force of the contacts on a wall that loads move and its load where it is (N).
+// Largest difference between the force of the contacts on a wall that loads move and its load where it is
+// (N).
 double unbalanced_walls(const Simulation& s, const Sample& sample) {
   const WallEquations equations = s.linear_walls(sample.time, sample.planes);
   double largest = 0;
@@ -70,8 +71,8 @@ std::vector<Sample> balanced(Prepared prepared, double period, const std::vector
     const auto moving = prepared.from(packing.state());
     moving->step();
     INFO("after " << share << " of the period");
-    // The tolerance of the search, 1e-11 of the largest force on a contact or a wall, which is at most some loads; the round-off of overlaps, 1e-16 R
-    // of 1e-3 R, is less.
+    // The tolerance of the search, 1e-11 of the largest force on a contact or a wall, which is at most some
+    // loads; the round-off of overlaps, 1e-16 R of 1e-3 R, is less.
     CHECK(1e10 * unbalanced(*moving) < largest_load(*moving));
     CHECK(1e10 * unbalanced_walls(*at_start, *sample) < largest_load(*moving));
     samples.push_back(*sample);

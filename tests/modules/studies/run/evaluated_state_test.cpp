@@ -13,7 +13,8 @@ using namespace scree::test;
 
 namespace {
 
-// Two discs on a floor, pressed into it and each other without dashpots: the force of a contact is k δ along its normal.
+// Two discs on a floor, pressed into it and each other without dashpots: the force of a contact is k δ along
+// its normal.
 const std::string two_discs =
     "[scene]\ndimension = 2\n[time]\nstep = 1e-5\nduration = 5e-5\n"
     "[[material]]\nname = 'grain'\ndensity = 1000\n"

@@ -4,7 +4,8 @@
 
 namespace scree::test {
 
-// A disc of 1 kg between two walls, pressed by both; one of them oscillates. The springs are linear while both touch.
+// A disc of 1 kg between two walls, pressed by both; one of them oscillates. The springs are linear while
+// both touch.
 inline const std::string oscillator =
     "[scene]\ndimension = 2\n[time]\nstep = 2e-4\nduration = 3.5\n"
     "[[material]]\nname = 'grain'\ndensity = 1000\n"

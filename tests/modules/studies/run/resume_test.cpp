@@ -37,7 +37,8 @@ struct Stopped : Bench {
 
 }  // namespace
 
-// At the time of the state other discs lie in the region of the group: those that it fixed at the start stay fixed.
+// At the time of the state other discs lie in the region of the group: those that it fixed at the start stay
+// fixed.
 TEST_CASE("a run with fixed bodies goes on to the same bits", "[run]") {
   const std::string fixed =
       with(discs, "random_velocity = 0.1\n", "random_velocity = 0.1\nvelocity = [-200, 0]\n") +
@@ -61,7 +62,8 @@ TEST_CASE("a run with fixed bodies goes on to the same bits", "[run]") {
   CHECK(now_in_region > 3);
 }
 
-// At the time of the state other discs lie in the region of the group: those that count at the start go on to count.
+// At the time of the state other discs lie in the region of the group: those that count at the start go on to
+// count.
 TEST_CASE("a run that goes on counts the same bodies in its probes", "[run]") {
   const std::string chosen =
       with(discs, "random_velocity = 0.1\n", "random_velocity = 0.1\nvelocity = [-200, 0]\n") +

@@ -33,8 +33,8 @@ std::vector<double> sampled_times(const std::string& text, const std::vector<std
   return times;
 }
 
-// A probe that observes, in the scene `discs`, whose bodies fly freely for its ten steps of 1e-5 s: the squared
-// displacement over windows is exact.
+// A probe that observes, in the scene `discs`, whose bodies fly freely for its ten steps of 1e-5 s: the
+// squared displacement over windows is exact.
 const std::string observing = std::string(discs) +
                               "[[probe]]\nname = 'msd'\nplugin = 'mean_squared_displacement'\n"
                               "window = 2e-5\nevery = 2e-5\n"
@@ -71,7 +71,8 @@ PluginHost& host_with_outside() {
   return both;
 }
 
-// The bodies of `discs` under a weight, so that energies change, and what the probe `ratio` makes of two of them.
+// The bodies of `discs` under a weight, so that energies change, and what the probe `ratio` makes of two of
+// them.
 const std::string falling =
     std::string(discs) + "[[body_force]]\nplugin = 'gravity'\nacceleration = [0, -100]\n";
 const std::string ratio =
@@ -154,7 +155,8 @@ TEST_CASE("observing does not change a run by a bit", "[run]") {
 }
 
 TEST_CASE("at one time a probe observes before it is sampled", "[run]") {
-  // The first window is complete with the step of the second row, the last of this run; without it that is NaN.
+  // The first window is complete with the step of the second row, the last of this run; without it that is
+  // NaN.
   const Observed o = observed(with(observing, "duration = 1e-4", "duration = 2e-5"));
   CHECK(o.last == Approx(mean_square_speed() * 4e-10).epsilon(rounding));
 }
@@ -188,7 +190,8 @@ TEST_CASE("a probe from outside reads columns of others at its own times, whethe
     CHECK(all.ratio.at("ratio")[k] == above[k] / below[k]);
     CHECK(all.ratio.at("sum [J]")[k] == (sum += above[k]));
   }
-  // The energy probe records at steps 0, 2, 4, ..., the ratio at 0, 3, 6, 9 and at the end; and the ratio stands first.
+  // The energy probe records at steps 0, 2, 4, ..., the ratio at 0, 3, 6, 9 and at the end; and the ratio
+  // stands first.
   const Tables few = tables_of(with(falling, "[[probe]]", ratio + "[[probe]]"), {});
   const std::vector<std::size_t> steps = {0, 3, 6, 9, 10};
   REQUIRE(few.ratio.at("ratio").size() == steps.size());

@@ -88,7 +88,8 @@ TEST_CASE("with the time step of the run the linear method is the stepped sweep"
       CAPTURE(massless, c, run.frequencies[k], swept.columns[c].response[k], run.columns[c].response[k],
               limit.columns[c].response[k]);
       const double size = std::abs(swept.columns[c].response[k]);
-      // Drag alone makes modes 0.02/(2π m) = 3.2 Hz wide, so that transients fall to 2e-7 in 250 periods of 160 Hz.
+      // Drag alone makes modes 0.02/(2π m) = 3.2 Hz wide, so that transients fall to 2e-7 in 250 periods of
+      // 160 Hz.
       CHECK(std::abs(run.columns[c].response[k] - swept.columns[c].response[k]) < 1e-6 * size);
       furthest =
           std::max(furthest, std::abs(limit.columns[c].response[k] - swept.columns[c].response[k]) / size);

@@ -50,7 +50,8 @@ TEST_CASE("the linear method does not depend on the time step", "[spectrum]") {
 
 TEST_CASE("the linear method of a packing that is not at rest is that of the equilibrium nearby",
           "[spectrum]") {
-  // Hertzian contacts, whose overlaps are off by 1 % of the total, one way or the other: their stiffness is off by 0.5 %.
+  // Hertzian contacts, whose overlaps are off by 1 % of the total, one way or the other: their stiffness is
+  // off by 0.5 %.
   const auto spectrum_with = [](double share) {
     std::string text = Chain{}.text("from_hz = 20\nto_hz = 160\nstep_hz = 20\nlinear.fewest_contacts = 1\n");
     text = with(text, "plugin = 'linear_spring_dashpot'\nnormal_stiffness = 1000\nnormal_damping = 0.05\n",

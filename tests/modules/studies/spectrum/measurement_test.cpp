@@ -26,7 +26,8 @@ TEST_CASE("three methods find the same peak of a chain", "[spectrum]") {
   REQUIRE(m.spectra.size() == 3);
   REQUIRE(m.resonances.size() == 6);
   for (const Resonance& r : m.resonances) {
-    // The fit of three widths leaves a background of the other modes: 1e-5 of f0. Runs are shifted by the step.
+    // The fit of three widths leaves a background of the other modes: 1e-5 of f0. Runs are shifted by the
+    // step.
     const bool runs = m.spectra[r.spectrum].method != "linear";
     const double exact = runs ? Chain::with_step(Chain::mode_hz(2)) : Chain::mode_hz(2);
     CAPTURE(m.spectra[r.spectrum].method, r.column, r.mode.frequency, exact, r.mode.frequency_error);
@@ -160,8 +161,8 @@ TEST_CASE("peaks are named from the shape of the motion", "[spectrum]") {
   CHECK(names == std::vector<std::string>{"λ/4", "3λ/4", "5λ/4"});
   const auto record = nlohmann::json::parse(bench.text("spectrum.json"));
   for (const std::string& name : names) CHECK(record["peaks"]["linear"]["particles.z_8"].contains(name));
-  // The discrete shape of the fixed-free chain, sin((2j - 1) n π/(2 N + 1)). The other modes are in quadrature at a peak, so
-  // that they enter by the square of their share: 3/Q of each neighbour, Q = 15.
+  // The discrete shape of the fixed-free chain, sin((2j - 1) n π/(2 N + 1)). The other modes are in
+  // quadrature at a peak, so that they enter by the square of their share: 3/Q of each neighbour, Q = 15.
   constexpr double tolerance = 2 * (3.0 / 15) * (3.0 / 15);
   for (std::size_t n = 1; n <= 8; ++n) {
     const double exact = std::sin(3 * double(n) * std::acos(-1.0) / 17);
@@ -270,8 +271,8 @@ TEST_CASE("outstanding maxima that no peak fits are named", "[spectrum]") {
       return line.starts_with("linear: the maximum of particles.z_8 at ");
     });
   };
-  // The modes at 29.4, 87.1 and 141.9 Hz are (drag/m + ω² damping/k)/2π = 1.7, 2.5 and 4.1 Hz wide, less than 4 steps of 3 Hz.
-  // At 10, 13, ... Hz the highest responses to them are alike.
+  // The modes at 29.4, 87.1 and 141.9 Hz are (drag/m + ω² damping/k)/2π = 1.7, 2.5 and 4.1 Hz wide, less than
+  // 4 steps of 3 Hz. At 10, 13, ... Hz the highest responses to them are alike.
   const auto height = [&](double hz) { return std::abs(chain.response(Chain::beads, hz)); };
   for (const double hz : {88, 142}) REQUIRE(height(hz) > 0.5 * std::max(height(28), height(31)));
   CHECK(warned("from_hz = 10\nto_hz = 160\nstep_hz = 0.4\n") == 0);

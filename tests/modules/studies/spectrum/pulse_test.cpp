@@ -30,7 +30,8 @@ TEST_CASE("a pulse measures the response of the discrete chain", "[spectrum]") {
     const double hz =
         std::sin(std::numbers::pi * spectrum.frequencies[k] * Chain::step) / (std::numbers::pi * Chain::step);
     const std::complex<double> exact = chain.response(Chain::beads, hz);
-    // As of a sweep; behind the record are 1e-6 of the response at most, against a drive that is 3.4 times weaker at to_hz.
+    // As of a sweep; behind the record are 1e-6 of the response at most, against a drive that is 3.4 times
+    // weaker at to_hz.
     CHECK(std::abs(spectrum.columns[1].response[k] - exact) < 1e-3 * std::abs(exact) + 1e-5 * largest);
     // A linear chain: what is left is round-off of a height of 0.07 m.
     CHECK(spectrum.columns[1].linearity[k] < 1e-4 * largest);
@@ -53,7 +54,8 @@ TEST_CASE("a chirp finds the modes of the discrete chain", "[spectrum]") {
     // The fit of a peak leaves 1e-5 of the other modes.
     CHECK(std::abs(found[std::size_t(j - 1)] / exact - 1) < 1e-4);
   }
-  // Stationary phase: the sum of a linear chirp is A sqrt(T/(4 (f1 - f0))) within its band, with ripples of the edges.
+  // Stationary phase: the sum of a linear chirp is A sqrt(T/(4 (f1 - f0))) within its band, with ripples of
+  // the edges.
   const Start start{plan, *read_spectrum(plan), plan.scene, run::set_up(plan)->state()};
   const DrivenWalls walls(start);
   PulseRecord undriven(start, walls, 0, nullptr), driven(start, walls, 1e-8, &undriven);

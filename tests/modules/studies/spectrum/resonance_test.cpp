@@ -33,7 +33,8 @@ TEST_CASE("the shape of a standing wave tells its wavelengths, from either end",
         CAPTURE(wavelengths, phase);
         CHECK(mode_shape(standing_wave(wavelengths, phase, count)).wavelengths == wavelengths);
       }
-    // Of the higher ones the outer layers, half a layer from a node, move more than half as far as the largest.
+    // Of the higher ones the outer layers, half a layer from a node, move more than half as far as the
+    // largest.
     for (const double wavelengths : {0.5, 1.0, 1.5, 2.0}) {
       CAPTURE(wavelengths);
       CHECK(mode_shape(standing_wave(wavelengths, from_node, count)).wavelengths == wavelengths);
@@ -60,8 +61,8 @@ TEST_CASE("half a wave below a driven wall is none of a quarter", "[spectrum]") 
   CHECK(mode_shape(layers).wavelengths == 0.5);
 }
 
-// u = sin(kx) / sin(k) of a wall that is driven by 1 and a fixed one, cos(kx) / cos(k) with a free end in its place;
-// k is complex, by the quality.
+// u = sin(kx) / sin(k) of a wall that is driven by 1 and a fixed one, cos(kx) / cos(k) with a free end in its
+// place; k is complex, by the quality.
 TEST_CASE("the motion of the driven wall changes no name, with a fixed and a free end", "[spectrum]") {
   for (const int count : {8, 12, 20})
     for (const double quality : {5.0, 10.0, 100.0})
@@ -117,7 +118,8 @@ TEST_CASE("layers at rest have no shape and no wavelengths", "[spectrum]") {
   CHECK(std::isnan(shape.wavelengths));
 }
 
-// A mode of Q 20 and one of a third of its height, 0.8 or 0.5 of its width above: the fit finds both, |H| has one maximum.
+// A mode of Q 20 and one of a third of its height, 0.8 or 0.5 of its width above: the fit finds both, |H| has
+// one maximum.
 TEST_CASE("a shoulder is a peak without a name", "[spectrum]") {
   const double second = GENERATE(104.0, 102.5);
   const auto pole = [](double f, double f0, double w, double height) {

@@ -49,8 +49,9 @@ TEST_CASE("a sweep measures the response of the discrete chain", "[spectrum]") {
       const double hz = std::sin(std::numbers::pi * spectrum.frequencies[k] * Chain::step) /
                         (std::numbers::pi * Chain::step);
       const std::complex<double> exact = chain.response(c == 0 ? 1 : Chain::beads, hz);
-      // Transients of a mode of width w = 3.9 Hz fall by exp(−π w t) = 5e-7 in the 100 periods before. Dampers act by predicted
-      // velocities: γ h/m = 2.5e-3 of the damping, of second order at rest; (ωh)² = 9e-4 of it.
+      // Transients of a mode of width w = 3.9 Hz fall by exp(−π w t) = 5e-7 in the 100 periods before.
+      // Dampers act by predicted velocities: γ h/m = 2.5e-3 of the damping, of second order at rest; (ωh)² =
+      // 9e-4 of it.
       CHECK(std::abs(spectrum.columns[c].response[k] - exact) < 1e-3 * std::abs(exact));
     }
 }

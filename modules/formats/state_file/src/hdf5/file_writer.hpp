@@ -25,7 +25,8 @@ inline constexpr const char* lengths_attribute = "lengths";
 // 1.8 s instead of 0.2 to read. Every function throws Error without path and cure.
 class FileWriter {
  public:
-  // Replaces the content of a file by room for what comes before HDF5 (bytes, 0 or 512 and more), and an empty file.
+  // Replaces the content of a file by room for what comes before HDF5 (bytes, 0 or 512 and more), and an
+  // empty file.
   explicit FileWriter(const std::filesystem::path& file, std::size_t user_block);
   // Adds to a file that was closed.
   static FileWriter existing(const std::filesystem::path& file);
@@ -37,8 +38,8 @@ class FileWriter {
   Handle group(const std::string& name);
   // Writes an array; as_frame: with a leading dimension of 1, the time.
   void array(const std::string& name, const StateArray& array, bool as_frame);
-  // Writes an array, which is not of texts, as the frame of this number of a dataset that has those before it. A label, if
-  // there is one, is written instead of the unit.
+  // Writes an array, which is not of texts, as the frame of this number of a dataset that has those before
+  // it. A label, if there is one, is written instead of the unit.
   void append(const std::string& name, const StateArray& array, std::uint64_t frame,
               const std::string& label);
   // A second name of a dataset.

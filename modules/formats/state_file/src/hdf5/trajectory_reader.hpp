@@ -12,8 +12,8 @@
 
 namespace scree::state_file {
 
-// Reads the elements of /particles/all that FileWriter has written, by their names there. Every function throws Error
-// without path and cure.
+// Reads the elements of /particles/all that FileWriter has written, by their names there. Every function
+// throws Error without path and cure.
 class TrajectoryReader {
  public:
   explicit TrajectoryReader(const std::filesystem::path& file);

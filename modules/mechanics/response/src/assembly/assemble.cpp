@@ -20,8 +20,8 @@ bool counts(const ContactTerms& c, const std::vector<bool>& held) {
   return held[c.a] && (c.b >= held.size() || held[c.b]);
 }
 
-// Whether each body is fixed in place, or held by at least `fewest_contacts` (AssemblyOptions) contacts with walls or held
-// bodies.
+// Whether each body is fixed in place, or held by at least `fewest_contacts` (AssemblyOptions) contacts with
+// walls or held bodies.
 std::vector<bool> held_bodies(const std::vector<ContactTerms>& contacts, const Particles& p, int dimension,
                               int fewest_contacts) {
   const std::size_t bodies = p.size();
@@ -60,8 +60,8 @@ WallEquations equations_of_walls(const Simulation& simulation, const AssemblyOpt
   return equations;
 }
 
-// Held bodies move unless they are fixed, and rotate if a contact between held bodies can turn them; walls move if a
-// held body touches them.
+// Held bodies move unless they are fixed, and rotate if a contact between held bodies can turn them; walls
+// move if a held body touches them.
 DegreesOfFreedom number_motions(const std::vector<ContactTerms>& contacts, const std::vector<bool>& held,
                                 const Particles& p, const WallEquations& equations, int spins) {
   std::vector<bool> translates = held;

@@ -8,8 +8,8 @@ namespace scree::response {
 
 namespace {
 
-// Steps of the differences, in radii and in radii per time step: small compared with the lengths and speeds over which
-// a body force changes, large compared with round-off.
+// Steps of the differences, in radii and in radii per time step: small compared with the lengths and speeds
+// over which a body force changes, large compared with round-off.
 constexpr double probe_displacement = 1e-4, probe_speed = 1e-6;
 
 // One body as a plug-in sees it.

@@ -8,14 +8,14 @@
 
 namespace scree::response {
 
-// Derivatives of the tangential increment of a pair with the end of a motion: by the displacement of a relative to b,
-// and by the rotations of both.
+// Derivatives of the tangential increment of a pair with the end of a motion: by the displacement of a
+// relative to b, and by the rotations of both.
 struct SlipDerivative {
   Eigen::Matrix3d by_displacement, by_rotation_a, by_rotation_b;
 };
 
-// How the motion of two bodies moves their contact point, and how the contact force turns them. With the normal n, the
-// lever arms l, u = u_a − u_b, w = l_a θ_a + l_b θ_b and the matrix X of θ ↦ n × θ,
+// How the motion of two bodies moves their contact point, and how the contact force turns them. With the
+// normal n, the lever arms l, u = u_a − u_b, w = l_a θ_a + l_b θ_b and the matrix X of θ ↦ n × θ,
 //   u + X w                displacement of a's contact point relative to b's
 //   l Xᵀ f ± c             torques
 struct ContactGeometry {
@@ -38,10 +38,11 @@ struct ContactGeometry {
   Motion displacements(const ContactJacobian& columns, const double* jacobians, std::size_t i,
                        const SlipDerivative& slip) const;
   Motion velocities(const ContactJacobian& columns, const double* jacobians, std::size_t i) const;
-  // By the spins alone if the force depends on them. Couples without a force are rolling resistance and count as 0.
+  // By the spins alone if the force depends on them. Couples without a force are rolling resistance and count
+  // as 0.
   Motion spins_of(const ContactJacobian& columns, const double* jacobians, std::size_t i) const;
-  // Negative derivatives of forces and torques on a and b by their displacements and rotations. The force on a (N)
-  // turns with the normal; with zero force, derivatives by velocities and spins.
+  // Negative derivatives of forces and torques on a and b by their displacements and rotations. The force on
+  // a (N) turns with the normal; with zero force, derivatives by velocities and spins.
   Block of_bodies(const Motion& motion, const Eigen::Vector3d& force) const;
 
   // Matrix (D, S) of θ ↦ v × θ.

@@ -15,21 +15,22 @@ namespace scree::response {
 
 namespace {
 
-// The branch. At the limit of friction a law has two derivatives, and only the law knows on which branch it is: by its
-// force without slip, its own limit and its history. So it is asked: the contact is moved a little along its slip (to slide) or
-// against it (to stick) and evaluated, and its sliding column tells. The first motion is above the round-off of a spring
-// at the limit, and far too small to change the derivatives. At rest the normal force may lack a part by velocity that
-// it had in the last step, so that the spring is short of the limit, or beyond it, by that part: the motion grows until
-// the law agrees. The force of the spring is monotonic in the motion, so it does, before the motion is the overlap.
+// The branch. At the limit of friction a law has two derivatives, and only the law knows on which branch it
+// is: by its force without slip, its own limit and its history. So it is asked: the contact is moved a little
+// along its slip (to slide) or against it (to stick) and evaluated, and its sliding column tells. The first
+// motion is above the round-off of a spring at the limit, and far too small to change the derivatives. At
+// rest the normal force may lack a part by velocity that it had in the last step, so that the spring is short
+// of the limit, or beyond it, by that part: the motion grows until the law agrees. The force of the spring is
+// monotonic in the motion, so it does, before the motion is the overlap.
 constexpr double least_slip = 1e-9, largest_slip = 1, growth_of_slip = 4;  // in overlaps
-// Change of the overlap, relative to it, by which loading and unloading are told apart: above round-off, and too small
-// to change which contacts slide.
+// Change of the overlap, relative to it, by which loading and unloading are told apart: above round-off, and
+// too small to change which contacts slide.
 constexpr double depth = 1e-11;
-// Relative difference above which a contact has two stiffnesses. Share of the stiffness by rotations above which the law
-// integrates spins.
+// Relative difference above which a contact has two stiffnesses. Share of the stiffness by rotations above
+// which the law integrates spins.
 constexpr double least_difference = 1e-6;
-// A step, relative to that of the run, so short that dashpots have their values in the limit: their error falls with
-// its square, from 0.01 to 1e-12 here. Rotations by integrated spins keep eleven digits.
+// A step, relative to that of the run, so short that dashpots have their values in the limit: their error
+// falls with its square, from 0.01 to 1e-12 here. Rotations by integrated spins keep eleven digits.
 constexpr double short_step = 1.0 / 65536;
 
 }  // namespace
@@ -156,8 +157,8 @@ class LawContacts {
     for (std::size_t i = 0; i < contacts_.size(); ++i) keep_rolling(rolling, i, all);
     return all;
   }
-  // Rolling resistance (couples by spins, without forces) is a dashpot of at least 16 steps of the run. In the limit of
-  // short steps it would stop all rolling, so it keeps the step of the run.
+  // Rolling resistance (couples by spins, without forces) is a dashpot of at least 16 steps of the run. In
+  // the limit of short steps it would stop all rolling, so it keeps the step of the run.
   void keep_rolling(const std::vector<double>& rolling, std::size_t i, std::vector<double>& all) const {
     using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     const int force = simulation_.dimension(), rows = jacobian_.rows(), width = jacobian_.columns(),
@@ -170,8 +171,8 @@ class LawContacts {
   }
   bool reads_spins() const { return law_.instance().reads & (1u << SCREE_RELATIVE_SPIN); }
 
-  // Growth of the Jacobians with the step (1/s); empty if the law reads no spins. The derivatives of a law that adds
-  // spin × step to its spring grow with the step: they are a stiffness, not a dashpot.
+  // Growth of the Jacobians with the step (1/s); empty if the law reads no spins. The derivatives of a law
+  // that adds spin × step to its spring grow with the step: they are a stiffness, not a dashpot.
   std::vector<double> jacobian_of_integrated_spins(ContactColumns& columns,
                                                    const std::vector<double>& inverse_distance,
                                                    const std::vector<double>& jacobian) const {
@@ -181,8 +182,8 @@ class LawContacts {
     return growth;
   }
 
-  // Laws that remember how deep a contact was may have one derivative for loading and one for unloading. Where these
-  // differ, their mean replaces the one that round-off has chosen. Returns for which contacts.
+  // Laws that remember how deep a contact was may have one derivative for loading and one for unloading.
+  // Where these differ, their mean replaces the one that round-off has chosen. Returns for which contacts.
   std::vector<bool> take_means(const ContactColumns& columns, const std::vector<double>& inverse_distance,
                                std::vector<double>& jacobian) const {
     std::vector<bool> differ(contacts_.size(), false);
@@ -239,8 +240,8 @@ class LawContacts {
 
   bool reads_orientations() const { return law_.instance().reads & (1u << SCREE_ORIENTATION_A); }
 
-  // Moves a contact along its slip, which is opposite to the tangential force on a. share: of the overlap. The velocity
-  // keeps a dashpot on the same side of the limit as the spring.
+  // Moves a contact along its slip, which is opposite to the tangential force on a. share: of the overlap.
+  // The velocity keeps a dashpot on the same side of the limit as the spring.
   void move_along_slip(ContactColumns& columns, const ContactColumns& at_rest, std::size_t i,
                        double share) const {
     const std::size_t c = contacts_[i];

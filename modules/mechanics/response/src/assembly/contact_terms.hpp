@@ -14,8 +14,8 @@ namespace scree::response {
 // At most 12 × 12: translations and rotations of two bodies.
 using Block = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 12, 12>;
 
-// A linearised contact: negative derivatives of forces and torques by the displacements and velocities of its two
-// bodies. Rows and columns: translations and rotations of a, then of b.
+// A linearised contact: negative derivatives of forces and torques by the displacements and velocities of its
+// two bodies. Rows and columns: translations and rotations of a, then of b.
 struct ContactTerms {
   std::uint32_t a, b;     // as in ContactList
   std::size_t contact;    // index into it

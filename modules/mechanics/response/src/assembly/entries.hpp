@@ -12,8 +12,9 @@
 
 namespace scree::response {
 
-// Collects and sums the entries of two matrices: (q, q), and (q, walls × dimension) for given displacements w of the
-// walls. A wall with the direction e that is numbered in q is displaced by q e and, across e, by w; other walls by w.
+// Collects and sums the entries of two matrices: (q, q), and (q, walls × dimension) for given displacements w
+// of the walls. A wall with the direction e that is numbered in q is displaced by q e and, across e, by w;
+// other walls by w.
 class Entries {
  public:
   Entries(const DegreesOfFreedom& freedom, const WallEquations& equations)
@@ -21,7 +22,8 @@ class Entries {
 
   // Adds the block of the bodies `ends`; numbers from freedom.bodies() on are walls.
   void add(const std::vector<std::uint32_t>& ends, const Block& block);
-  // Adds the force on wall w along its direction per displacement of wall `moved` along the direction of `moved`.
+  // Adds the force on wall w along its direction per displacement of wall `moved` along the direction of
+  // `moved`.
   void add_along(std::size_t w, std::size_t moved, double value);
   // Adds the force on wall w per motion q − w.
   void add_inertial(std::size_t w, double value);

@@ -35,8 +35,8 @@ struct PairAtRest {
   Levers lever_arms(scree_arms arms, double at_distance) const;
   ContactGeometry geometry(int dimension, int spins, scree_arms arms) const;
 
-  // Sets the inputs of a law that follow from the place of the pair, orientations included if the law reads them.
-  // Histories and motions stay as they are.
+  // Sets the inputs of a law that follow from the place of the pair, orientations included if the law reads
+  // them. Histories and motions stay as they are.
   void set_inputs(const Particles& particles, const Orientations& orientations, std::uint32_t reads,
                   ContactColumns& columns, std::size_t i) const;
 

@@ -21,8 +21,8 @@ namespace scree::response {
 
 namespace {
 
-// Frequencies that share a factorisation at first: up to 1.5 times the lowest, since linewidths of a packing grow with
-// frequency, and within these numbers. Windows that one factorisation does not serve are divided.
+// Frequencies that share a factorisation at first: up to 1.5 times the lowest, since linewidths of a packing
+// grow with frequency, and within these numbers. Windows that one factorisation does not serve are divided.
 constexpr std::size_t narrowest_window = 24, widest_window = 48;
 constexpr double window_span = 1.5;
 // Down to this tolerance iterations converge as fast with a factorisation in single precision.
@@ -80,8 +80,8 @@ class BandSolution {
   }
   bool proceeds() const { return !options_.stop || !*options_.stop; }
 
-  // After a stop, drops all frequencies from the first unfinished window on: asked for later, they form the same
-  // windows.
+  // After a stop, drops all frequencies from the first unfinished window on: asked for later, they form the
+  // same windows.
   void leave_out_from(const std::vector<std::size_t>& ends, const std::vector<char>& finished) {
     const auto first = std::size_t(std::find(finished.begin(), finished.end(), 0) - finished.begin());
     for (std::size_t k = first == 0 ? 0 : ends[first - 1]; first < ends.size() && k < sorted_.size(); ++k)

@@ -16,8 +16,8 @@ constexpr int most_iterations = 40;
 constexpr double shortest_share = 1.0 / 64, least_gain = 0.1;
 // Ratio of residuals after and before a step above which factors of an earlier stiffness are replaced.
 constexpr double slow_convergence = 0.1;
-// Added to the diagonal of K, relative to its largest entry, because of floppy modes and bodies without contacts. It
-// grows where Newton steps do not reduce the residual.
+// Added to the diagonal of K, relative to its largest entry, because of floppy modes and bodies without
+// contacts. It grows where Newton steps do not reduce the residual.
 constexpr double least_grounding = 1e-8, largest_grounding = 1;
 // Longest Newton step, in smallest radii.
 constexpr double longest_step = 0.005;
@@ -200,8 +200,9 @@ double Equilibrium::length_of(const Vector& motion) const {
   return longest;
 }
 
-// Limits the motion of each body separately, so that loosely held bodies do not shorten the step of all others. Bodies
-// without contacts do not move: factors of an earlier search may have contacts that are open now.
+// Limits the motion of each body separately, so that loosely held bodies do not shorten the step of all
+// others. Bodies without contacts do not move: factors of an earlier search may have contacts that are open
+// now.
 Equilibrium::Vector Equilibrium::step_for(const Vector& residual) const {
   Vector step = factors_.solve(residual);
   if (body_forces_.empty()) step = without_free_bodies(std::move(step));

@@ -20,7 +20,8 @@ struct Balance {
   StaticLoads loads;
 };
 
-// Searches for the motion that brings a packing into balance, by Newton's method with the derivatives of the laws.
+// Searches for the motion that brings a packing into balance, by Newton's method with the derivatives of the
+// laws.
 class Equilibrium {
  public:
   // tolerance: as QuasiStaticOptions. Throws Error if a law has no derivatives.
@@ -30,14 +31,16 @@ class Equilibrium {
   const StaticContacts& contacts() const { return contacts_; }
   std::size_t iterations() const { return iterations_; }  // so far
 
-  // Searches from a configuration, under the loads on walls at a time (s). guess: a motion, or empty. The search ends
-  // without a balance where the motion exceeds the range of the listed pairs, or once `proceed` returns false.
+  // Searches from a configuration, under the loads on walls at a time (s). guess: a motion, or empty. The
+  // search ends without a balance where the motion exceeds the range of the listed pairs, or once `proceed`
+  // returns false.
   Balance find(const StaticConfiguration& from, double time, const Eigen::VectorXd& guess,
                const std::function<bool()>& proceed);
   // Makes the balance that was found the present state.
   void accept(const Balance& balance);
 
-  // A motion with 0 for bodies that touched nothing in the last evaluation: without inertia they stay where they are.
+  // A motion with 0 for bodies that touched nothing in the last evaluation: without inertia they stay where
+  // they are.
   Eigen::VectorXd without_free_bodies(Eigen::VectorXd motion) const;
 
  private:
@@ -55,9 +58,9 @@ class Equilibrium {
   Vector evaluate(Search& search);
   void add_bodies(const Search& search, Vector& residual) const;
   void add_walls(const Search& search, Vector& residual) const;
-  // Backtracking line search: takes the largest fraction of `step` (at least `shortest`) that reduces the residual by
-  // `gain` × that fraction. A full Newton step can fail where contacts switch between stick and slip. Returns the
-  // fraction, 0 if none works.
+  // Backtracking line search: takes the largest fraction of `step` (at least `shortest`) that reduces the
+  // residual by `gain` × that fraction. A full Newton step can fail where contacts switch between stick and
+  // slip. Returns the fraction, 0 if none works.
   double move_along(Search& search, const Vector& step, double shortest, double gain, Vector& residual);
   Sparse stiffness(const WallEquations& walls) const;  // K of the last evaluation
   // Factorises K with `grounding` × its largest entry added to the diagonal. Returns false if it is singular.

@@ -4,17 +4,19 @@
 
 namespace scree::response {
 
-// Finds the first event within an increment during which contacts slide: another contact begins to slide, touches or
-// parts. Slip may end or turn there. A law sees an increment as a whole, so that slip which ends or turns within it
-// leaves an error of the spring in proportion to the increment. Therefore the increment should end at the event.
+// Finds the first event within an increment during which contacts slide: another contact begins to slide,
+// touches or parts. Slip may end or turn there. A law sees an increment as a whole, so that slip which ends
+// or turns within it leaves an error of the spring in proportion to the increment. Therefore the increment
+// should end at the event.
 class FirstEvent {
  public:
-  // An increment (s) from a time (s) and a configuration; whole: the balance at its end, which was found last.
+  // An increment (s) from a time (s) and a configuration; whole: the balance at its end, which was found
+  // last.
   FirstEvent(Equilibrium& equilibrium, const StaticConfiguration& from, double time, double increment,
              Balance whole, const std::function<bool()>& proceed);
 
-  // Fraction of the increment at which the first event occurs. 1: no event, or the search failed on the way. 0: no
-  // equilibrium at that point. The equilibrium is evaluated there last.
+  // Fraction of the increment at which the first event occurs. 1: no event, or the search failed on the way.
+  // 0: no equilibrium at that point. The equilibrium is evaluated there last.
   double find();
   Balance take_balance() { return std::move(balance_); }
 

@@ -30,7 +30,8 @@ struct PairPlace : PairAtRest {
   PairPlace(const Simulation& simulation, const StaticPair& pair, const StaticConfiguration& after,
             const StaticMotion& motion);
 
-  // Displacement of a's contact point relative to b's (m): with the normal at the end, and across that of the middle.
+  // Displacement of a's contact point relative to b's (m): with the normal at the end, and across that of the
+  // middle.
   Vec3 slip(scree_arms arms) const { return slip(direction(), arms); }
   Vec3 tangential_increment(scree_arms arms) const;
   SlipDerivative slip_derivative(scree_arms arms) const;

@@ -16,7 +16,8 @@ namespace scree::response {
 
 namespace {
 
-// Smallest increment, relative to the longest, from which a rate of motion is taken: in shorter ones it is round-off.
+// Smallest increment, relative to the longest, from which a rate of motion is taken: in shorter ones it is
+// round-off.
 constexpr double least_for_rate = 1e-3;
 // Limit on located events per increment; contacts can chatter. The rest is taken as one step.
 constexpr int most_events_located = 16;
@@ -122,8 +123,8 @@ class QuasiStatic::Packing {
                               options_.tolerance));
   }
 
-  // Takes an increment that ends at a time, halved until there is an equilibrium at its end. Returns false if none is
-  // found.
+  // Takes an increment that ends at a time, halved until there is an equilibrium at its end. Returns false if
+  // none is found.
   bool take(double time) {
     for (;;) {
       const double increment = time - time_;
@@ -137,8 +138,8 @@ class QuasiStatic::Packing {
     }
   }
 
-  // Accepts the balance at a time, or an earlier one at an event. Returns false if the balance at the event is not found
-  // again.
+  // Accepts the balance at a time, or an earlier one at an event. Returns false if the balance at the event
+  // is not found again.
   bool take_up_to_event(Balance whole, double time) {
     const double increment = time - time_;
     if (time != increment_end_) events_located_ = 0;

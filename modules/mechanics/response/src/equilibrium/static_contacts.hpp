@@ -9,8 +9,9 @@
 
 namespace scree::response {
 
-// Pairs of a packing that touch or are about to touch, with the histories of their laws, which advance in increments of
-// any size: the history at the end of an increment follows from the history before it and the motion in it.
+// Pairs of a packing that touch or are about to touch, with the histories of their laws, which advance in
+// increments of any size: the history at the end of an increment follows from the history before it and the
+// motion in it.
 class StaticContacts {
  public:
   // spins: number of rotations of a body, 0, 1 or 3. Throws Error if a law has no derivatives.
@@ -25,8 +26,8 @@ class StaticContacts {
   // Makes the last evaluation the beginning of the next increment.
   void commit();
 
-  // States of all pairs at the beginning of the increment and after the last evaluation, in an order that only
-  // find_pairs changes.
+  // States of all pairs at the beginning of the increment and after the last evaluation, in an order that
+  // only find_pairs changes.
   std::vector<PairState> states_before() const { return states(&PairsOfLaw::states_before); }
   std::vector<PairState> states_after() const { return states(&PairsOfLaw::states_after); }
   // Number of pairs whose status in the last evaluation differs from that at the beginning of the increment.

@@ -18,8 +18,8 @@ struct StiffnessFactors::Dense {
   Eigen::PartialPivLU<Eigen::MatrixXd> factors;
 };
 
-// Factorises with KLU. Keeps the order of elimination as long as the same entries are non-zero, and the pivots as long as
-// they do not grow.
+// Factorises with KLU. Keeps the order of elimination as long as the same entries are non-zero, and the
+// pivots as long as they do not grow.
 class StiffnessFactors::Sparse {
  public:
   Sparse() { klu_defaults(&common_); }

@@ -71,9 +71,10 @@ class Search {
     found_.find(*factors, Index(result_.unstable), true);
   }
 
-  // Turns modes of the symmetric part with ω² <= 0 into modes of the full K: bodies that turn freely between two contacts
-  // are floppy with the full K, but have an ω² below 0, of second order in the asymmetry, with its symmetric part. With
-  // the found modes R, solves K (R + D) = (R + D) H for D across R, H = Rᵀ K (R + D).
+  // Turns modes of the symmetric part with ω² <= 0 into modes of the full K: bodies that turn freely between
+  // two contacts are floppy with the full K, but have an ω² below 0, of second order in the asymmetry, with
+  // its symmetric part. With the found modes R, solves K (R + D) = (R + D) H for D across R, H = Rᵀ K (R +
+  // D).
   void apply_asymmetry(const ShiftedFactors& below) {
     result_.of_full_stiffness = false;
     if (held_ != Index(resting_)) return;
@@ -139,7 +140,8 @@ class Search {
 
   bool is_near() const { return search_.near_hz > 0; }
   double omega() const { return 2 * std::numbers::pi * search_.near_hz; }
-  // Distance of a vibrating mode from where modes are wanted: |ω − ω₀| (1/s), or |ω²| (1/s²) for the lowest ones.
+  // Distance of a vibrating mode from where modes are wanted: |ω − ω₀| (1/s), or |ω²| (1/s²) for the lowest
+  // ones.
   double distance_of(double square) const {
     return is_near() ? std::abs(std::sqrt(std::max(square, 0.0)) - omega()) : std::abs(square);
   }
@@ -158,7 +160,8 @@ class Search {
       const Index counted = Index(count_within(distance));
       result_.complete = counted == within;
       if (counted <= within) return;
-      // Modes are found by the distance of ω², in which those below a frequency are nearer than those above it.
+      // Modes are found by the distance of ω², in which those below a frequency are nearer than those above
+      // it.
       wanted = (is_near() ? 2 : 1) * (counted - within);
     }
   }

@@ -44,8 +44,8 @@ class Lanczos {
   }
 
  private:
-  // Makes `next_` orthonormal columns of the span of w, and `coupling_` of w = next_ coupling_. The longest column of
-  // products has the length `scale`.
+  // Makes `next_` orthonormal columns of the span of w, and `coupling_` of w = next_ coupling_. The longest
+  // column of products has the length `scale`.
   void factorise(const Matrix& w, double scale) {
     const Eigen::ColPivHouseholderQR<Matrix> qr(w);
     Index rank = 0;
@@ -82,7 +82,8 @@ class Lanczos {
     factors.matrixU().solveInPlace<Eigen::OnTheRight>(next_);
   }
 
-  // Eigenvalues of the projected operator in the order wanted; residuals follow from what the last block leaves.
+  // Eigenvalues of the projected operator in the order wanted; residuals follow from what the last block
+  // leaves.
   void solve_projected() {
     const Matrix part = projected_.topLeftCorner(size_, size_);
     const Eigen::SelfAdjointEigenSolver<Matrix> solver(0.5 * (part + part.transpose()));

@@ -22,8 +22,9 @@ struct KrylovResult {
   Eigen::VectorXd values;
 };
 
-// Finds eigenvectors of a symmetric operator by block Lanczos iteration with full orthogonalisation and thick restarts.
-// Returns the converged ones: fewer than wanted if the iteration stops, or if the start reaches no others.
+// Finds eigenvectors of a symmetric operator by block Lanczos iteration with full orthogonalisation and thick
+// restarts. Returns the converged ones: fewer than wanted if the iteration stops, or if the start reaches no
+// others.
 KrylovResult krylov(const Operator& a, const Eigen::MatrixXd& start, const KrylovOptions& options);
 
 }  // namespace scree::response

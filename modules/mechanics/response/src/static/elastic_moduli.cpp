@@ -88,8 +88,8 @@ class StrainedPacking {
             .residual = motion_.residual};
   }
 
-  // Slope of the displacement along an axis over the height in the middle half. Medians of its outer quarters are used
-  // because loosely held bodies move by any amount.
+  // Slope of the displacement along an axis over the height in the middle half. Medians of its outer quarters
+  // are used because loosely held bodies move by any amount.
   double middle_slope(int axis) const {
     const Particles& p = simulation_.particles();
     const double start = simulation_.planes()[walls_.low].point[walls_.axis];

@@ -155,8 +155,9 @@ std::optional<std::string> quantity_problem(const std::string& name, const std::
 Plan read_plan(const std::filesystem::path& path, const std::vector<std::string>& overrides, PluginHost& host,
                const StudyTables& studies = {});
 
-// Reads the scenario of a run that goes on: its text, as in Plan::resolved_text, and the bodies at its start with their
-// groups, so that no packing is read again. name: of the text in messages. Tables of studies are not checked again.
+// Reads the scenario of a run that goes on: its text, as in Plan::resolved_text, and the bodies at its start
+// with their groups, so that no packing is read again. name: of the text in messages. Tables of studies are
+// not checked again.
 Plan read_plan_again(const std::string& text, const std::string& name,
                      const std::vector<std::string>& overrides, RecordedBodies recorded, PluginHost& host);
 

@@ -73,8 +73,8 @@ TEST_CASE("the stiffness matrix is the derivative of the forces of the kernel", 
   CHECK(error_of_stiffness(test::heap(3, spring_values, "sphere_path_independent")) < 1e-8);
 }
 
-// Central differences have the mean of both stiffnesses, up to the difference of their second derivatives: with the step h = 2e-4 over
-// overlaps above 0.04, h/δ = 5e-3 of what differs.
+// Central differences have the mean of both stiffnesses, up to the difference of their second derivatives:
+// with the step h = 2e-4 over overlaps above 0.04, h/δ = 5e-3 of what differs.
 TEST_CASE("where loading and unloading differ, the stiffness is their mean and the contacts are counted",
           "[response]") {
   const Scene rescaled = test::heap(3, hertz(1), "hertz_mindlin");
@@ -200,8 +200,9 @@ namespace {
 
 constexpr double slider_stiffness = 1000, slider_friction = 0.5, slider_damping = 3;
 
-// A disc that has moved by 0.2 to the right on a floor, with k_t ξ = 0.2 k_t above μ k δ = 0.05 k. Inward speed with damping adds the
-// share `more` to the normal force, so that the spring is longer by this share than the limit at rest.
+// A disc that has moved by 0.2 to the right on a floor, with k_t ξ = 0.2 k_t above μ k δ = 0.05 k. Inward
+// speed with damping adds the share `more` to the normal force, so that the spring is longer by this share
+// than the limit at rest.
 std::unique_ptr<Simulation> slider(const std::string& plugin = "linear_spring_dashpot",
                                    const std::string& friction = "static_friction", double more = 0) {
   const double speed = 1, step = 1e-3;
@@ -289,7 +290,8 @@ TEST_CASE("a contact that slides goes on sliding", "[response]") {
 
 namespace {
 
-// A compressed row of five spheres of mass 1 and radius 1 between two of the same size, which are fixed, or between walls.
+// A compressed row of five spheres of mass 1 and radius 1 between two of the same size, which are fixed, or
+// between walls.
 Scene row_between(bool fixed_spheres) {
   constexpr double d = 2 - 1e-3;
   std::vector<Body> bodies;
@@ -339,7 +341,8 @@ TEST_CASE("a row between two fixed spheres has the frequencies of a clamped chai
           Approx(std::pow(2 * std::sqrt(1000.0) * std::sin(j * 3.14159265358979 / 12), 2)).epsilon(1e-10));
   CHECK((squares - squares_along_x(by_walls, 0)).norm() < 1e-9);
   CHECK((by_spheres.mass - by_walls.mass).norm() == 0);
-  // Between walls the normal does not turn with the spheres at the ends: they differ across x, by the compression of 1 N.
+  // Between walls the normal does not turn with the spheres at the ends: they differ across x, by the
+  // compression of 1 N.
   CHECK((Matrix(by_spheres.damping) - Matrix(by_walls.damping)).norm() < 1e-9);
   CHECK((Matrix(by_spheres.stiffness) - Matrix(by_walls.stiffness)).norm() < 3);
 }

@@ -18,8 +18,8 @@ TEST_CASE("the matrix of a cross product has the spins of the dimension", "[resp
   CHECK((in_plane - v.cross(Eigen::Vector3d(0, 0, turn[2])).head(2)).norm() < 1e-15);
 }
 
-// Both bodies turn about an axis across their normal: springs and overlap stay, and the force turns with them. Round-off
-// of sums of stiffnesses, 1e-16 of 1e3 over forces of 10.
+// Both bodies turn about an axis across their normal: springs and overlap stay, and the force turns with
+// them. Round-off of sums of stiffnesses, 1e-16 of 1e3 over forces of 10.
 TEST_CASE("two bodies that turn as one take their force along", "[response]") {
   const test::Values law = {{"normal_stiffness", {1000}},
                             {"normal_damping", {0}},

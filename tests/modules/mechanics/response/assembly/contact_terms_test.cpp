@@ -41,8 +41,9 @@ using Vector = Eigen::Matrix<double, 6, 1>;
 
 }  // namespace
 
-// In the order x, y, turn of each disc. The force f on disc 0 turns with the line of centres, which has the length d, and
-// the contact slips by u_y + d/2 (θ_0 + θ_1). Dashpots have their values in the limit but for 1e-9.
+// In the order x, y, turn of each disc. The force f on disc 0 turns with the line of centres, which has the
+// length d, and the contact slips by u_y + d/2 (θ_0 + θ_1). Dashpots have their values in the limit but for
+// 1e-9.
 TEST_CASE("the stiffness and damping of a pair of discs are those of their springs and dashpots",
           "[response]") {
   const double d = 1.9, damping = 3;
@@ -65,8 +66,9 @@ TEST_CASE("the stiffness and damping of a pair of discs are those of their sprin
   CHECK_FALSE(terms.one_way);
 }
 
-// With the normal n, t across it and the force f on disc 0: while it slides f keeps its direction to n and grows with the
-// overlap; while it sticks the spring adds t tᵀ. The spring is at the limit to 1e-9 of the overlap.
+// With the normal n, t across it and the force f on disc 0: while it slides f keeps its direction to n and
+// grows with the overlap; while it sticks the spring adds t tᵀ. The spring is at the limit to 1e-9 of the
+// overlap.
 TEST_CASE("at the limit of friction a contact slides on or sticks, as is asked for", "[response]") {
   const double friction = 0.02;
   Simulation simulation(pair_of_discs(sticking_springs(friction), 1.9, 1));

@@ -36,7 +36,8 @@ struct Lid {
 // A lid that absorbs waves, so that a run becomes steady.
 constexpr Lid absorbing = {0.2, 15};
 
-// Beads in a row along x between a wall on the left, with the given motion, and a lid under a force on the right.
+// Beads in a row along x between a wall on the left, with the given motion, and a lid under a force on the
+// right.
 Scene lid_column(const Lid& lid, double step, const Values& left = {}, const Values& right = {}) {
   Scene scene = test::scene(2, step, beads_from(1 - bead_overlap),
                             {{"normal_stiffness", {bead_stiffness}}, {"normal_damping", {bead_damping}}});
@@ -182,8 +183,8 @@ TEST_CASE("a lid without mass keeps its force, and its superposed motion moves n
   CHECK(nearest < 1e-10);
 }
 
-// Velocity Verlet solves the chain with frequencies that are off by (ωh)²/24, at most that of the largest one,
-// over some radians of phase along the row; transients have left through the lid.
+// Velocity Verlet solves the chain with frequencies that are off by (ωh)²/24, at most that of the largest
+// one, over some radians of phase along the row; transients have left through the lid.
 TEST_CASE("a column under a lid moves in a run as its linear response says", "[response]") {
   const double step = 1e-4, amplitude = 1e-5;
   const double tolerance = std::pow(2 * std::sqrt(bead_stiffness / bead_mass) * step, 2);

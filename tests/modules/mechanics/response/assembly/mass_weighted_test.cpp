@@ -21,7 +21,8 @@ Eigen::MatrixXd weighted_matrix(double seed, Eigen::Index rows, Eigen::Index col
   });
 }
 
-// Two translations of a disc, with a mass, and a wall without one that a force moves, whose viscosity is a part of C.
+// Two translations of a disc, with a mass, and a wall without one that a force moves, whose viscosity is a
+// part of C.
 LinearSystem system_with_step(double time_step) {
   LinearSystem system{.freedom = DegreesOfFreedom(2, 0, {true}, {false}, {true}),
                       .stiffness = weighted_matrix(1, 3, 3).sparseView(),
@@ -66,8 +67,9 @@ TEST_CASE("in the coordinates of a weighted system the dynamic stiffness is that
   CHECK((weighted.amplitude(root * q) - q).norm() < 1e-14);
 }
 
-// Velocity Verlet with x_n = z^n: v_n = (x_(n+1) − x_(n−1))/(2h), a_n = (x_(n+1) − 2 x_n + x_(n−1))/h². Dashpots see
-// v_(n−1) + h a_(n−1); a wall without mass moves by (x_n − x_(n−1))/h, a viscosity acts on v_n where there is a mass.
+// Velocity Verlet with x_n = z^n: v_n = (x_(n+1) − x_(n−1))/(2h), a_n = (x_(n+1) − 2 x_n + x_(n−1))/h².
+// Dashpots see v_(n−1) + h a_(n−1); a wall without mass moves by (x_n − x_(n−1))/h, a viscosity acts on v_n
+// where there is a mass.
 TEST_CASE("with a time step the dynamic stiffness is that of the steps", "[response]") {
   const double h = 0.11, omega = 2.3;
   const LinearSystem system = system_with_step(h);

@@ -87,8 +87,8 @@ TEST_CASE("a group has room for all couplings that elimination makes, and passes
       CHECK((row < parent.first + parent.width ||
              std::binary_search(parent.rows.begin(), parent.rows.end(), row)));
   }
-  // Nested dissection of a grid of n unknowns fills about 31/4 n log2 n entries at most (George 1973): 27000. Groups up to
-  // 16 wide have zeros too.
+  // Nested dissection of a grid of n unknowns fills about 31/4 n log2 n entries at most (George 1973): 27000.
+  // Groups up to 16 wide have zeros too.
   CHECK(needed < 27000);
   CHECK(given < 3 * needed);
 }

@@ -26,8 +26,8 @@ namespace {
 
 constexpr double round_off = std::numeric_limits<double>::epsilon();
 
-// Counts and solutions by a factorisation are compared with those by all eigenvalues, whose round-off is below
-// size × epsilon × |A| (backward stable).
+// Counts and solutions by a factorisation are compared with those by all eigenvalues, whose round-off is
+// below size × epsilon × |A| (backward stable).
 struct Oracle {
   const Sparse& a;
   double norm;
@@ -92,8 +92,8 @@ int negative_by_mumps(const Sparse& a, double shift) {
 }
 #endif
 
-// A count may differ from that of the eigenvalues by those that are nearer to the shift than the stated margin. The
-// resolution of certain counts is that of UndampedSystem::count_below.
+// A count may differ from that of the eigenvalues by those that are nearer to the shift than the stated
+// margin. The resolution of certain counts is that of UndampedSystem::count_below.
 void check_counts(const Sparse& a, int count) {
   const Oracle oracle(a);
   const auto backend = shifts_of(a);
@@ -131,8 +131,9 @@ TEST_CASE("modes of ill-conditioned packings are counted as by all eigenvalues a
   SECTION("stiffnesses 1:1e6") { check(test::stiff_and_soft(12)); }
 }
 
-// Twenty dense blocks of 20 are coupled to a last one alone. Each has an eigenvalue next to 0: eliminated by itself, it
-// leaves numbers that are larger than those of the matrix by its reciprocal, whose round-off is then as much larger.
+// Twenty dense blocks of 20 are coupled to a last one alone. Each has an eigenvalue next to 0: eliminated by
+// itself, it leaves numbers that are larger than those of the matrix by its reciprocal, whose round-off is
+// then as much larger.
 TEST_CASE("counts say how far round-off of grown pivots moves them", "[response]") {
   constexpr int width = 20, blocks = 20;
   for (const double least : {1e-2, 1e-6, 1e-10, 1e-14}) {

@@ -81,7 +81,8 @@ TEST_CASE("derivatives of the slip of a pair are those of its increment", "[resp
       }
 }
 
-// Both turn by θ about the first centre: the normal in the middle is that after θ/2, and the slip is of third order.
+// Both turn by θ about the first centre: the normal in the middle is that after θ/2, and the slip is of third
+// order.
 TEST_CASE("a pair that turns as one does not slip", "[response]") {
   const Packing packing(1.68);
   for (const double angle : {0.02, 0.01}) {

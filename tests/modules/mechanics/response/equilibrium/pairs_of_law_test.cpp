@@ -4,7 +4,8 @@
 
 namespace scree::test {
 
-// The last body first touches in the middle of the increment: its spring takes the part of the slip since then, which grows with the overlap.
+// The last body first touches in the middle of the increment: its spring takes the part of the slip since
+// then, which grows with the overlap.
 TEST_CASE("the stiffness after an increment is the derivative of its forces") {
   const bool slides = GENERATE(true, false);
   const Values springs = {{"normal_stiffness", {1e4}},
@@ -38,8 +39,9 @@ TEST_CASE("the stiffness after an increment is the derivative of its forces") {
           (forces_at(increment.motion - change * unit) - forces_at(increment.motion + change * unit)) /
           (2 * change);
     }
-    // Round-off of 1e3 N over the change: 1e-7 N/m; third derivatives: the square of the change over the motion, 2e-2. In 3D the velocity by which
-    // laws turn the direction of slip counts with the normal at rest: the motion over the radius.
+    // Round-off of 1e3 N over the change: 1e-7 N/m; third derivatives: the square of the change over the
+    // motion, 2e-2. In 3D the velocity by which laws turn the direction of slip counts with the normal at
+    // rest: the motion over the radius.
     const double tolerance = dimension == 3 && slides ? share : 1e-6;
     CHECK((stiffness - difference).cwiseAbs().maxCoeff() < tolerance * difference.cwiseAbs().maxCoeff());
   }

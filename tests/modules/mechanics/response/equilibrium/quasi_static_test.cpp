@@ -29,7 +29,8 @@ double strain(const std::vector<scree_plane>& box, const std::vector<scree_plane
 
 }  // namespace
 
-// The strain that dynamics leave after a cycle approaches that of the quasi-static solver as the period grows.
+// The strain that dynamics leave after a cycle approaches that of the quasi-static solver as the period
+// grows.
 TEST_CASE("slow cycles end in the strain of the quasi-static solver") {
   const auto prepared = [](double period) {
     return Prepared(box_of_discs, {"scene.seed=5", fmt::format("stage.cycles.period={}", period),
@@ -64,8 +65,9 @@ TEST_CASE("slow cycles end in the strain of the quasi-static solver") {
   CHECK(std::abs(exact) > 1e-12);
 }
 
-// Four discs. In each cycle slip of one contact ends where that of another begins, in the middle of an increment. The numbers are those of a
-// reference without the kernel: rate equations K dq = dP with the contacts that stick and slide, Runge-Kutta steps in the load, events located.
+// Four discs. In each cycle slip of one contact ends where that of another begins, in the middle of an
+// increment. The numbers are those of a reference without the kernel: rate equations K dq = dP with the
+// contacts that stick and slide, Runge-Kutta steps in the load, events located.
 TEST_CASE("slip that ends within an increment leaves the strain of a reference") {
   const std::string plan =
       "particle = [\n"
@@ -102,8 +104,9 @@ TEST_CASE("slip that ends within an increment leaves the strain of a reference")
   }
 }
 
-// A disc between two walls, and a small one below it that nothing else touches. The load pushes the first disc against the small one, which stays
-// where it was left when the load falls: nothing pulls it, and without inertia it does not go on.
+// A disc between two walls, and a small one below it that nothing else touches. The load pushes the first
+// disc against the small one, which stays where it was left when the load falls: nothing pulls it, and
+// without inertia it does not go on.
 TEST_CASE("a body that was pushed stays where it is when what pushed it recedes") {
   const std::string plan =
       "particle = [\n"

@@ -44,8 +44,9 @@ TEST_CASE("a packing at rest has no other equilibrium", "[response]") {
   CHECK(rest.warning == "");
 }
 
-// Of Hertz the force grows with the power 3/2 of the overlap and the stiffness with 1/2: with twice the weight on the
-// contact the stiffness is 2^(1/3) of that in equilibrium. Without friction only the normal stiffness counts.
+// Of Hertz the force grows with the power 3/2 of the overlap and the stiffness with 1/2: with twice the
+// weight on the contact the stiffness is 2^(1/3) of that in equilibrium. Without friction only the normal
+// stiffness counts.
 TEST_CASE("a packing whose stiffness differs in equilibrium is warned of", "[response]") {
   const double modulus = 1e4, poisson = 0.25, reduced = modulus / (1 - poisson * poisson) / 2;
   const auto overlap_of = [&](double force) { return std::pow(0.75 * force / reduced, 2.0 / 3); };

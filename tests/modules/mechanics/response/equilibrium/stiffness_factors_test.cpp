@@ -31,8 +31,8 @@ Sparse matrix_of(int size, double seed) {
 
 }  // namespace
 
-// Conditions of 1e3: round-off of 1e-13. Up to 100 rows factors are dense, above sparse; the second matrix has the
-// entries of the first in the same places, the third has others.
+// Conditions of 1e3: round-off of 1e-13. Up to 100 rows factors are dense, above sparse; the second matrix
+// has the entries of the first in the same places, the third has others.
 TEST_CASE("factors of a stiffness with a diagonal solve as dense ones do", "[response]") {
   for (const int size : {1, 100, 101, 300}) {
     CAPTURE(size);

@@ -9,8 +9,8 @@ using namespace scree::response;
 
 namespace {
 
-// Two masses and a wall without one between three springs of 1, 2 and 4, the last to the ground; antisymmetric parts of K
-// do not count.
+// Two masses and a wall without one between three springs of 1, 2 and 4, the last to the ground;
+// antisymmetric parts of K do not count.
 LinearSystem chain_of_springs(double antisymmetric) {
   Eigen::Matrix3d stiffness;
   stiffness << 1, -1, 0, -1, 3, -2, 0, -2, 6;
@@ -27,8 +27,8 @@ LinearSystem chain_of_springs(double antisymmetric) {
 
 }  // namespace
 
-// The wall is displaced by a third of the second mass: springs of 1 and 8/6 = 4/3 to the ground, masses 2 and 3.
-// 6 λ² − (3 + 14/3) λ + 4/3 = 0.
+// The wall is displaced by a third of the second mass: springs of 1 and 8/6 = 4/3 to the ground, masses 2 and
+// 3. 6 λ² − (3 + 14/3) λ + 4/3 = 0.
 TEST_CASE("modes of masses with a wall without one are those of the springs in line", "[response]") {
   for (const double antisymmetric : {0.0, 0.3}) {
     const LinearSystem system = chain_of_springs(antisymmetric);

@@ -14,8 +14,8 @@ using namespace scree::response;
 
 namespace {
 
-// Spheres near the places of a cubic lattice above a plane, with tangential springs, and with another plane above
-// them, without mass and under stress.
+// Spheres near the places of a cubic lattice above a plane, with tangential springs, and with another plane
+// above them, without mass and under stress.
 LinearSystem pressed_lattice(int side, bool pressed, double wobble = 1e-3,
                              double tangential_stiffness = 700) {
   std::vector<Body> bodies;
@@ -73,7 +73,8 @@ TEST_CASE("the lowest modes are those of a dense solver", "[response]") {
           const Eigen::Index k = Eigen::Index(found.first_vibrating + m);
           // Round-off of the largest eigenvalue.
           CHECK(std::abs(found.square_frequency[k] - exact[m]) < 1e-13 * undamped.largest());
-          // Its share in the smallest, and the asymmetry by loaded tangential springs, of which there are none.
+          // Its share in the smallest, and the asymmetry by loaded tangential springs, of which there are
+          // none.
           CHECK(found.residual[k] < 1e-8);
         }
         const Eigen::MatrixXd overlaps = found.shape.transpose() * system.mass.asDiagonal() * found.shape;
@@ -136,8 +137,8 @@ TEST_CASE("unstable and floppy modes are found and counted", "[response]") {
     CHECK(std::abs(found.square_frequency[m] - squares[m]) < 1e-13 * undamped.largest());
 }
 
-// A column of zeros beside a force on the first body by the motion of the second. Bodies that turn freely between two loaded
-// contacts have such a K.
+// A column of zeros beside a force on the first body by the motion of the second. Bodies that turn freely
+// between two loaded contacts have such a K.
 TEST_CASE("a mode is floppy where it is with all of K, also if its symmetric part is below 0", "[response]") {
   Eigen::Matrix4d stiffness;
   stiffness << 0, 3, 0, 0,  //
@@ -173,7 +174,8 @@ TEST_CASE("a mode is floppy where it is with all of K, also if its symmetric par
   }
 }
 
-// A wall without mass or stiffness of its own follows the bodies as far down as one looks, so that its mode has no lower bound.
+// A wall without mass or stiffness of its own follows the bodies as far down as one looks, so that its mode
+// has no lower bound.
 TEST_CASE("the search for unstable modes ends where no ω² can be", "[response]") {
   Eigen::Matrix4d stiffness;
   stiffness << 1000, 0, 0, 30,  //
@@ -202,8 +204,8 @@ TEST_CASE("the search for unstable modes ends where no ω² can be", "[response]
   CHECK(looks <= 12);
 }
 
-// ω_m = 2 √(k/m) sin((2m − 1) π/(2 (2N + 1))) along a row of beads between a wall and nothing, which turns over
-// sideways.
+// ω_m = 2 √(k/m) sin((2m − 1) π/(2 (2N + 1))) along a row of beads between a wall and nothing, which turns
+// over sideways.
 TEST_CASE("a long chain has the lowest frequencies of a discrete chain", "[response]") {
   constexpr int beads = 400;
   const double k = 1000, mass = 0.3, overlap = 1e-12;

@@ -8,7 +8,8 @@ using namespace scree::response;
 
 namespace {
 
-// Diagonal: eigenvalues from 1 to 2 that lie close, so that the iteration restarts, and 4, which is found before it does.
+// Diagonal: eigenvalues from 1 to 2 that lie close, so that the iteration restarts, and 4, which is found
+// before it does.
 constexpr Eigen::Index krylov_size = 400, wanted_modes = 6, block_width = 2;
 
 Eigen::VectorXd eigenvalues() {

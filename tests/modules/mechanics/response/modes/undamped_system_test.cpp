@@ -45,7 +45,8 @@ TEST_CASE("modes are counted as by dense eigenvalues, and the bound of their fre
   }
 }
 
-// A spring of 8 to the ground and one of −3 to a wall without mass, which has a spring of 5: in line −3 5/(−3 + 5).
+// A spring of 8 to the ground and one of −3 to a wall without mass, which has a spring of 5: in line −3 5/(−3
+// + 5).
 TEST_CASE("walls without mass are no modes, whatever the sign of their stiffness", "[response]") {
   for (const double wall : {5.0, -5.0}) {
     Eigen::SparseMatrix<double> stiffness(2, 2);

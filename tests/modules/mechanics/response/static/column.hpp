@@ -9,7 +9,8 @@ namespace scree::test {
 inline constexpr int column_discs = 3;
 inline constexpr double disc_stiffness = 1000;  // (N/m)
 
-// Smooth discs of radius 1 in a column that just touches a floor and an upper wall. control: of the upper wall, -1: fixed.
+// Smooth discs of radius 1 in a column that just touches a floor and an upper wall. control: of the upper
+// wall, -1: fixed.
 inline Scene column(int control) {
   constexpr double overlap = 1e-12, d = 2 - overlap;
   std::vector<Body> bodies;

@@ -15,8 +15,8 @@ namespace {
 constexpr double normal_stiffness = 1000, tangential_stiffness = 600;
 constexpr int layers = 5;
 
-// Spheres of radius 1 on a cubic lattice between walls, periodic along x and z; their distance is smaller than 2 by
-// `overlap`, that to the walls by half of it.
+// Spheres of radius 1 on a cubic lattice between walls, periodic along x and z; their distance is smaller
+// than 2 by `overlap`, that to the walls by half of it.
 Scene cube(double overlap, int upper_control = -1) {
   const double d = 2 - overlap;
   std::vector<Body> bodies;
@@ -40,8 +40,8 @@ Scene cube(double overlap, int upper_control = -1) {
   return scene;
 }
 
-// G of a column: displacements x_i and rotations θ_i of its spheres, springs k_t at the contacts with the neighbours above
-// and below (or a wall), and at those beside, where only θ_i counts.
+// G of a column: displacements x_i and rotations θ_i of its spheres, springs k_t at the contacts with the
+// neighbours above and below (or a wall), and at those beside, where only θ_i counts.
 double shear_modulus_of_column(double d) {
   Eigen::MatrixXd k = Eigen::MatrixXd::Zero(2 * layers + 2, 2 * layers + 2);
   const int top = 2 * layers + 1;  // displacement of the upper wall; that of the lower one is 2 layers

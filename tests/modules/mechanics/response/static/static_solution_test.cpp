@@ -19,8 +19,8 @@ Eigen::MatrixXd static_matrix(double seed) {
 
 }  // namespace
 
-// In the coordinates √M q K is not symmetric, has eigenvalues from 1 to 24 and a tenth of antisymmetric part. The iteration
-// goes on to round-off, 1e-13.
+// In the coordinates √M q K is not symmetric, has eigenvalues from 1 to 24 and a tenth of antisymmetric part.
+// The iteration goes on to round-off, 1e-13.
 TEST_CASE("static displacements are those of a dense solution", "[response]") {
   const Eigen::MatrixXd basis = Eigen::HouseholderQR<Eigen::MatrixXd>(static_matrix(1)).householderQ();
   Eigen::MatrixXd a = 0.1 * (static_matrix(2) - static_matrix(2).transpose());

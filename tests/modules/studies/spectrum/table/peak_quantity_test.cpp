@@ -40,7 +40,8 @@ TEST_CASE("a misspelt number of a peak is answered by the nearest right one", "[
             .find("; did you mean 'peaks.pulse.strain.strain.3λ/4.frequency'?") != std::string::npos);
   CHECK(problem("peaks.pulse.strain.strain.3lambda/4.frequency", false).find("give spectrum.shape_from") !=
         std::string::npos);
-  // Layers of shapes have no peaks of their own; peaks are counted from 1, and shapes by quarters of a wavelength.
+  // Layers of shapes have no peaks of their own; peaks are counted from 1, and shapes by quarters of a
+  // wavelength.
   for (const char* name :
        {"peaks.pulse.profile.displacement_1.peak_1.frequency", "peaks.pulse.strain.strain.peak_0.frequency",
         "peaks.pulse.strain.strain.3λ/8.frequency", "peaks.pulse.strain.strain.frequency", "peaks."}) {

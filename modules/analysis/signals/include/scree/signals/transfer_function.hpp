@@ -20,10 +20,12 @@ struct TransferFunction {
   double frequency(std::size_t k) const { return resolution * double(k); }
 };
 
-// segment 0: the whole record without window, for a pulse or a chirp that begins and ends at rest, where rest is 0.
+// segment 0: the whole record without window, for a pulse or a chirp that begins and ends at rest, where rest
+// is 0.
 //   Exact then. A response that has not ended changes H by at most h (sum of |y| after the record) / |X|,
 //   h: step.
-// segment > 0: number of samples in a segment. Its mean is removed and a Hann window applied; segments overlap by
+// segment > 0: number of samples in a segment. Its mean is removed and a Hann window applied; segments
+// overlap by
 //   half (Welch). For a drive with a flat spectrum h1 is H averaged over the window's |W|^2, whose second moment
 //   is 1 / (3 T^2) for segments of length T (integral of w'^2 / integral of w^2 / (2 pi)^2). So its bias is at
 //   most max|H''| / (6 T^2), at the peak of a mode of width G (Hz, f0/Q) the share 4 / (3 (G T)^2). Numbers 0 and

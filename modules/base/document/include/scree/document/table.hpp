@@ -103,8 +103,8 @@ class Table {
   // Throws for the first key, in file order, of this table or the tables below it that is not known.
   void refuse_unused() const;
 
-  // End of the cure for a missing key: ", or correct 'stifness' (file:line:column) if that is meant" for a key that is
-  // not known and is spelt similarly; empty if there is none.
+  // End of the cure for a missing key: ", or correct 'stifness' (file:line:column) if that is meant" for a
+  // key that is not known and is spelt similarly; empty if there is none.
   std::string misspelt(std::string_view missing) const;
 
   // "file:line:column" of the table; or of the value of a key, of one element (from 0) of its array, or of

@@ -28,9 +28,10 @@ struct ContactTable {
   bool evaluated = false;  // forces were not recorded, but evaluated from positions, velocities and springs
 };
 
-// A row for each contact, behind comment lines with dimension, time and, if they were evaluated, a word on the forces; in 2D without z. Body a is that of the smaller id,
-// and rows are in the order of a and b, so that the table does not depend on the order in memory. b is empty at a wall, and
-// the name of the wall between bodies. Numbers in the shortest decimal form that reads back to the same bits.
+// A row for each contact, behind comment lines with dimension, time and, if they were evaluated, a word on
+// the forces; in 2D without z. Body a is that of the smaller id, and rows are in the order of a and b, so
+// that the table does not depend on the order in memory. b is empty at a wall, and the name of the wall
+// between bodies. Numbers in the shortest decimal form that reads back to the same bits.
 std::string format_contacts_csv(const ContactTable& table);
 
 }  // namespace scree::packing

@@ -11,8 +11,8 @@ namespace scree::packing {
 
 enum class FileFormat { csv, beads, lammps_data, lammps_dump, table, mercury };
 
-// Format by name ("csv", "beads", "lammps_data", "lammps_dump", "table", "mercury"). Throws Error for an unknown name, with the
-// nearest known one.
+// Format by name ("csv", "beads", "lammps_data", "lammps_dump", "table", "mercury"). Throws Error for an
+// unknown name, with the nearest known one.
 FileFormat file_format(std::string_view name);
 
 // Format recognised from the first lines of a file. Throws Error if none fits.

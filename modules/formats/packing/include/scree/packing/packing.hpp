@@ -50,7 +50,8 @@ void check(const Packing& packing);
 // Bounding box of all bodies, including their surfaces (m). The packing must have a body.
 Bounds enclosing_bounds(const Packing& packing);
 
-// Gives a packing the periodic axes of a scene, around the bodies along the others; leaves it without a box if there are none.
+// Gives a packing the periodic axes of a scene, around the bodies along the others; leaves it without a box
+// if there are none.
 void set_periodic(Packing& packing, const Domain& domain);
 
 // Density (kg/m³) of a sphere with the radius and mass of this body; unset if it has neither.

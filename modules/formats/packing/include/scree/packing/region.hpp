@@ -27,7 +27,8 @@ using Region = std::variant<Bounds, Ball, Cylinder>;
 double volume_of(const Region& region, int dimension);
 // The smallest box that holds the region (m).
 Bounds bounds_of(const Region& region, int dimension);
-// Whether a body lies wholly in the region, up to the rounding of coordinates. Only the first `dimension` axes count.
+// Whether a body lies wholly in the region, up to the rounding of coordinates. Only the first `dimension`
+// axes count.
 bool holds(const Region& region, int dimension, const Vec3& position, double radius);
 // Volume (m³) of a sphere, or area (m²) of a disc.
 double volume_of_body(double radius, int dimension);

@@ -14,10 +14,10 @@ struct Wall {
   std::array<double, 3> normal{};  // unit vector, towards the particles
 };
 
-// State of a scene at one time, as columns; N particles, C contacts. In 2D every z component is 0.
-// id, radius and position always have N entries; the other particle columns have N entries, or none if the
-// scene lacks the quantity. Contact columns have C entries each; those from contact_a on have none in files of
-// earlier versions.
+// State of a scene at one time, as columns; N particles, C contacts. In 2D every z component is 0. id, radius
+// and position always have N entries; the other particle columns have N entries, or none if the scene lacks
+// the quantity. Contact columns have C entries each; those from contact_a on have none in files of earlier
+// versions.
 struct Frame {
   double time = 0;  // (s)
   std::uint64_t step = 0;

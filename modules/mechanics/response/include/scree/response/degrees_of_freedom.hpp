@@ -10,8 +10,8 @@
 namespace scree::response {
 
 // Numbers the degrees of freedom of a linear system: for each body its translations (m), then its rotations
-// (rad); after the bodies the displacements of walls that forces move (m). Motions that a body or wall does not have are
-// left out.
+// (rad); after the bodies the displacements of walls that forces move (m). Motions that a body or wall does
+// not have are left out.
 class DegreesOfFreedom {
  public:
   static constexpr Eigen::Index none = -1;
@@ -21,8 +21,8 @@ class DegreesOfFreedom {
     Eigen::Index first = none, count = 0;
   };
 
-  // spins: 0, 1 or 3. translates, rotates: for each body; a body without translations has no rotations. free_walls:
-  // whether forces move the wall. held: components that bodies do not have; empty: none.
+  // spins: 0, 1 or 3. translates, rotates: for each body; a body without translations has no rotations.
+  // free_walls: whether forces move the wall. held: components that bodies do not have; empty: none.
   DegreesOfFreedom(int dimension, int spins, const std::vector<bool>& translates,
                    const std::vector<bool>& rotates, const std::vector<bool>& free_walls = {},
                    std::vector<freedom::Mask> held = {});
@@ -34,7 +34,8 @@ class DegreesOfFreedom {
   std::size_t walls() const { return wall_.size(); }
   // Whether a body has any; a body that is left out or fixed has none.
   bool moves(std::size_t body) const { return translation_[body] != none || rotation_[body] != none; }
-  // Number of the component k of the displacement of a body, 0 <= k < dimension; `none` if it is left out or held.
+  // Number of the component k of the displacement of a body, 0 <= k < dimension; `none` if it is left out or
+  // held.
   Eigen::Index translation(std::size_t body, int k) const { return number(translation_[body], body, 0, k); }
   // Number of its rotation about axis k, 0 <= k < spins; in 2D the only axis is z.
   Eigen::Index rotation(std::size_t body, int k) const {

@@ -19,13 +19,13 @@ struct WallPair {
 // Throws Error if the simulation does not have two such walls and periodic axes.
 WallPair wall_pair(const Simulation& simulation);
 
-// Stresses per strain caused by a small displacement of a wall; the strain is the displacement over the distance of the
-// walls. In 3D (Pa), in 2D (N/m).
+// Stresses per strain caused by a small displacement of a wall; the strain is the displacement over the
+// distance of the walls. In 3D (Pa), in 2D (N/m).
 struct StrainResponse {
   int axis;        // along which the wall moves
   double modulus;  // stress on that wall along the axis
-  // The same with the strain of the middle half of the packing, between the medians of its outer quarters; NaN if no
-  // bodies are there.
+  // The same with the strain of the middle half of the packing, between the medians of its outer quarters;
+  // NaN if no bodies are there.
   double middle_modulus;
   std::vector<double>
       virial;       // normal stress along each axis, mean over the packing, from forces and branch vectors
@@ -45,9 +45,9 @@ struct ElasticModuli {
   double lateral_ratio() const, poissons_ratio_by_lateral_ratio() const;
 };
 
-// Displaces the upper wall and holds the lower one, even if forces move them. Throws Error as wall_pair() and assemble()
-// do, if the strain drives a floppy mode, so that there is no static response, or (interrupted) if `proceed` returns
-// false.
+// Displaces the upper wall and holds the lower one, even if forces move them. Throws Error as wall_pair() and
+// assemble() do, if the strain drives a floppy mode, so that there is no static response, or (interrupted) if
+// `proceed` returns false.
 ElasticModuli elastic_moduli(
     const Simulation& simulation, const AssemblyOptions& options = {},
     const std::function<bool()>& proceed = [] { return true; });

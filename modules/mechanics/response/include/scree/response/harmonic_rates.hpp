@@ -5,8 +5,8 @@
 
 namespace scree::response {
 
-// Ratios of velocities (1/s) and accelerations (1/s²) of a motion e^(iωt) to its displacement, in continuous time or as
-// velocity Verlet with the step h makes them: x_(n+1) − 2 x_n + x_(n−1) = h² a_n.
+// Ratios of velocities (1/s) and accelerations (1/s²) of a motion e^(iωt) to its displacement, in continuous
+// time or as velocity Verlet with the step h makes them: x_(n+1) − 2 x_n + x_(n−1) = h² a_n.
 struct HarmonicRates {
   std::complex<double> exact;      // iω, for prescribed motions
   std::complex<double> predicted;  // v_n + h a_n, which dashpots see at n + 1

@@ -13,9 +13,9 @@ namespace scree::response {
 
 // Small motions q of a packing about its present state, with its walls displaced by w:
 //   M q″ + C q′ + K q = f − M_w w″ − C_w w′ − K_w w
-// q: translations (m) and rotations (rad) of the bodies that are held by contacts, along axes that are not fixed, and displacements (m) of the walls
-// that forces move and held bodies touch. For such a wall, w is the superposed displacement: inertia and viscosity
-// act on q − w. Rows are forces (N) and torques (N m).
+// q: translations (m) and rotations (rad) of the bodies that are held by contacts, along axes that are not
+// fixed, and displacements (m) of the walls that forces move and held bodies touch. For such a wall, w is the
+// superposed displacement: inertia and viscosity act on q − w. Rows are forces (N) and torques (N m).
 struct LinearSystem {
   DegreesOfFreedom freedom;
   Eigen::SparseMatrix<double> stiffness, damping;  // K, C: (q, q)
@@ -24,8 +24,8 @@ struct LinearSystem {
   Eigen::SparseMatrix<double> wall_stiffness, wall_damping, wall_mass;
   std::vector<std::uint32_t> rattlers;  // bodies that are left out, in ascending order
   std::size_t sliding_contacts = 0;     // of held bodies, according to the laws in the last step
-  // Contacts of held bodies whose stiffness differs in loading and unloading: K has the mean, and small motions are not
-  // linear.
+  // Contacts of held bodies whose stiffness differs in loading and unloading: K has the mean, and small
+  // motions are not linear.
   std::size_t one_way_contacts = 0;
   double time_step = 0;                 // (s) of the run, or 0: continuous time
   Eigen::VectorXd wall_viscosity = {};  // (q) (kg/s) the part of C due to walls alone
@@ -44,8 +44,8 @@ enum class TimeStep {
 };
 
 struct AssemblyOptions {
-  // Smallest number of contacts with held bodies or walls that holds a body. 0: D + 1 if none of its contacts can
-  // exert a tangential force, else 2.
+  // Smallest number of contacts with held bodies or walls that holds a body. 0: D + 1 if none of its contacts
+  // can exert a tangential force, else 2.
   int fewest_contacts = 0;
   // Walls that forces move are held, and displaced by w alone.
   bool hold_walls = false;
@@ -53,9 +53,10 @@ struct AssemblyOptions {
   TimeStep time_step = TimeStep::limit;
 };
 
-// Linearises all contacts, body forces and walls at the present positions, orientations and springs, with bodies
-// and walls at rest. Contacts within the limit of friction stick. Throws Error if a law has no derivatives, if no body is
-// held, or, with the time step of the run, if it is not a step of velocity Verlet or a law integrates spins.
+// Linearises all contacts, body forces and walls at the present positions, orientations and springs, with
+// bodies and walls at rest. Contacts within the limit of friction stick. Throws Error if a law has no
+// derivatives, if no body is held, or, with the time step of the run, if it is not a step of velocity Verlet
+// or a law integrates spins.
 LinearSystem assemble(const Simulation& simulation, const AssemblyOptions& options = {});
 
 // Which laws must have derivatives: at least one, or all.

@@ -12,10 +12,10 @@ class MassWeighted;
 class ShiftBackend;
 class ShiftedFactors;
 
-// A number of modes below a value of ω², by the inertia of a factorisation, whose round-off moves ω². The number is
-// certain if it is moved by less than UndampedSystem::rounding() or 1e-8 ω², so that only modes that near to the value
-// may be on the wrong side. It is not certain if pivots have grown until their round-off is larger, or if a pivot is 0
-// within its round-off, as at the ω² of a mode.
+// A number of modes below a value of ω², by the inertia of a factorisation, whose round-off moves ω². The
+// number is certain if it is moved by less than UndampedSystem::rounding() or 1e-8 ω², so that only modes
+// that near to the value may be on the wrong side. It is not certain if pivots have grown until their
+// round-off is larger, or if a pivot is 0 within its round-off, as at the ω² of a mode.
 struct ModeCount {
   std::size_t modes = 0;
   bool certain = true;
@@ -23,8 +23,8 @@ struct ModeCount {
 // "<what>; <cure>" of counts that are not certain.
 std::string uncertain_warning(const std::string& which);
 
-// The undamped system K_s q = ω² M q, K_s: symmetric part of K, prepared for factorisations of K_s − ω²M. There are as
-// many modes as masses above 0; walls without mass follow the bodies at once.
+// The undamped system K_s q = ω² M q, K_s: symmetric part of K, prepared for factorisations of K_s − ω²M.
+// There are as many modes as masses above 0; walls without mass follow the bodies at once.
 class UndampedSystem {
  public:
   // The system must outlive this. Throws Error if the library of factorisations is missing.
@@ -34,7 +34,8 @@ class UndampedSystem {
   UndampedSystem& operator=(const UndampedSystem&) = delete;
 
   std::size_t modes() const { return std::size_t(heavy_.size()); }
-  // Number of modes with ω² below a value (1/s²), by the inertia of K_s − ω²M. Several threads may call it at once.
+  // Number of modes with ω² below a value (1/s²), by the inertia of K_s − ω²M. Several threads may call it at
+  // once.
   ModeCount count_below(double square_frequency) const;
   // Upper bound of all ω² (1/s²), by Gershgorin.
   double largest() const { return largest_; }

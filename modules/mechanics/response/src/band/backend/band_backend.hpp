@@ -54,8 +54,8 @@ class ShiftedFactors {
   virtual double shift() const = 0;  // σ
   // Negative eigenvalues of A − σB, by Sylvester's law of inertia.
   virtual int negative() const = 0;
-  // Estimate of the round-off of this number, as a difference from A − σB: eigenvalues nearer to 0 than this may
-  // have either sign.
+  // Estimate of the round-off of this number, as a difference from A − σB: eigenvalues nearer to 0 than this
+  // may have either sign.
   virtual double margin() const = 0;
   // Whether a pivot is 0 within its round-off, so that an eigenvalue is likely to be that near to 0.
   virtual bool has_null_pivot() const = 0;
@@ -70,7 +70,8 @@ class ShiftBackend {
 
 constexpr int band_backend_version = 4;
 
-// Provided by the library, which is compiled for several instruction levels: dense products take most of its time.
+// Provided by the library, which is compiled for several instruction levels: dense products take most of its
+// time.
 class BandBackendFactory {
  public:
   virtual ~BandBackendFactory() = default;

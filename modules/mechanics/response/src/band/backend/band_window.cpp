@@ -17,21 +17,23 @@ using Sparse = Eigen::SparseMatrix<double>;
 
 // Rounds of iteration after which a factorisation nearer to the remaining frequencies is cheaper.
 constexpr int most_rounds = 14;
-// Frequencies whose residuals extend the basis while changes are large. More of them add few directions, since
-// neighbouring residuals differ little.
+// Frequencies whose residuals extend the basis while changes are large. More of them add few directions,
+// since neighbouring residuals differ little.
 constexpr int most_sources = 4;
-// Largest ratio of successive changes in an error estimate. Slower decay says little about the remaining error.
+// Largest ratio of successive changes in an error estimate. Slower decay says little about the remaining
+// error.
 constexpr double slowest_decay = 0.9;
-// Factor of the error estimate: before a mode near the frequency enters the basis, one round, rarely two, may change the
-// solution by less than its error.
+// Factor of the error estimate: before a mode near the frequency enters the basis, one round, rarely two, may
+// change the solution by less than its error.
 constexpr double caution = 3;
 // The relative change assumed before the first round: the whole amplitude.
 constexpr double slowest_start = 1;
 
-// Iteration at the frequencies of a window. Each round multiplies residuals by the approximate inverse and adds the
-// resulting directions to the basis. The change of a solution is the error of the previous one, and is stated for the
-// new one too. While changes are too large, residuals of a few frequencies serve all. A solution counts as found only
-// after a round with its own residual: directions from other frequencies show only what those lack.
+// Iteration at the frequencies of a window. Each round multiplies residuals by the approximate inverse and
+// adds the resulting directions to the basis. The change of a solution is the error of the previous one, and
+// is stated for the new one too. While changes are too large, residuals of a few frequencies serve all. A
+// solution counts as found only after a round with its own residual: directions from other frequencies show
+// only what those lack.
 class WindowIteration {
  public:
   WindowIteration(const BandWindow& window, const Sparse& stiffness, const Sparse& damping,

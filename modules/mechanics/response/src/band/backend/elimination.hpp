@@ -6,7 +6,8 @@
 
 namespace scree::response {
 
-// Adjacent unknowns that are eliminated together, and the later unknowns (ascending) to which they are coupled.
+// Adjacent unknowns that are eliminated together, and the later unknowns (ascending) to which they are
+// coupled.
 struct Supernode {
   int first, width;
   std::vector<int> rows;

@@ -7,14 +7,15 @@ namespace scree::response {
 
 namespace {
 
-// Directions closer to the span, or to each other, than this angle are left out: they add work and little else. If they
-// matter, they return in the next residuals.
+// Directions closer to the span, or to each other, than this angle are left out: they add work and little
+// else. If they matter, they return in the next residuals.
 constexpr double smallest_angle = 0.03;
 
 using Matrix = GalerkinBasis::Matrix;
 using Columns = Eigen::Ref<const Matrix>;
 
-// Products of complex matrices, instantiated once: one instance for each type of expression takes seconds to compile.
+// Products of complex matrices, instantiated once: one instance for each type of expression takes seconds to
+// compile.
 Matrix product(const Columns& a, const Columns& b) { return a * b; }
 Matrix adjoint_product(const Columns& a, const Columns& b) { return a.adjoint() * b; }
 

@@ -13,7 +13,8 @@ using Sparse = Eigen::SparseMatrix<double>;
 
 // Columns of a matrix that are reduced at once, by their eigenvalues.
 constexpr Eigen::Index block = 48;
-// Smallest eigenvalue of a block over the largest entry of the matrix with which round-off grows little in the rest.
+// Smallest eigenvalue of a block over the largest entry of the matrix with which round-off grows little in
+// the rest.
 constexpr double least_pivot = 1e-4;
 constexpr double round_off = std::numeric_limits<double>::epsilon();
 

@@ -21,8 +21,8 @@ class SymmetricFactors {
   // A block of D, and the largest of the numbers whose sum it is.
   using OnPivot = std::function<void(const Matrix& pivot, double largest_term)>;
 
-  // Reads the entries of A below the diagonal in the order of elimination. Once `*stop` is true the factors are
-  // incomplete and must not be used; `stop` may be null.
+  // Reads the entries of A below the diagonal in the order of elimination. Once `*stop` is true the factors
+  // are incomplete and must not be used; `stop` may be null.
   SymmetricFactors(const Elimination& plan, const Eigen::SparseMatrix<T>& a,
                    const std::atomic<bool>* stop = nullptr, const OnPivot& on_pivot = {})
       : plan_(plan) {
@@ -38,8 +38,8 @@ class SymmetricFactors {
 
   Eigen::Index size() const { return Eigen::Index(plan_.order.size()); }
 
-  // The largest number that was added to another in the elimination, found only with on_pivot. Times the round-off of a
-  // number it estimates by how much A differs from the product of its factors.
+  // The largest number that was added to another in the elimination, found only with on_pivot. Times the
+  // round-off of a number it estimates by how much A differs from the product of its factors.
   double largest_term() const { return terms_.empty() ? 0 : *std::max_element(terms_.begin(), terms_.end()); }
 
   // Solves A x = b for each column of b.

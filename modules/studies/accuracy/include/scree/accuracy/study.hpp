@@ -103,8 +103,8 @@ struct RecordedStudyOptions : StudyOptions {
 // precision with 1/2, 1/4 and 1/8 of the finest step. Steps divide the durations of the stages. If runs
 // diverge under refinement, as in chaotic scenes, all are compared at the time until which they agree to a
 // tenth of the tolerance (at least 1e-5) in mean radii. Quantities of peaks are compared if `quantities`
-// names some, or if the plan has no stages or no [[expect]] of a run; then each setting
-// measures these peaks by their methods. Throws Error if the scenario cannot run, or if quantities are unknown or of both kinds.
+// names some, or if the plan has no stages or no [[expect]] of a run; then each setting measures these peaks
+// by their methods. Throws Error if the scenario cannot run, or if quantities are unknown or of both kinds.
 Convergence study(const scenario::Plan& plan, const StudyOptions& options);
 
 // The same, and writes accuracy.csv, accuracy.json and charts/ (see report.hpp). Nothing is written before

@@ -45,8 +45,8 @@ std::string drive(StageRunner& runner, Hooks&& hooks, std::optional<std::uint64_
   return name();
 }
 
-// A runner of the stages of a plan, from their start or, with `state`, from where it was saved. If conditions read columns
-// of probes it has these probes, without series; the plan must outlive it then.
+// A runner of the stages of a plan, from their start or, with `state`, from where it was saved. If conditions
+// read columns of probes it has these probes, without series; the plan must outlive it then.
 StageRunner stage_runner(Simulation& simulation, const scenario::Plan& plan);
 StageRunner stage_runner(Simulation& simulation, const scenario::Plan& plan, const StateTransfer& state);
 

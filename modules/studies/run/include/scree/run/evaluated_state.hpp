@@ -16,10 +16,11 @@ struct EvaluatedState {
   bool has_forces = false;  // the state has them; else they were evaluated
 };
 
-// The state of a run as a frame with its contacts. Forces that the state does not have, since nothing in its scene reads
-// them, are evaluated from its positions, velocities and springs. They differ from those of a run by the error of a step,
-// since a step evaluates with velocities that it predicts, and weights the forces of a contact that begins in it.
-// file: of the state, for messages. Throws Error if it is not the state of a run, or its plug-ins are missing.
+// The state of a run as a frame with its contacts. Forces that the state does not have, since nothing in its
+// scene reads them, are evaluated from its positions, velocities and springs. They differ from those of a run
+// by the error of a step, since a step evaluates with velocities that it predicts, and weights the forces of
+// a contact that begins in it. file: of the state, for messages. Throws Error if it is not the state of a
+// run, or its plug-ins are missing.
 EvaluatedState evaluated_state(const State& state, const std::filesystem::path& file, PluginHost& host);
 
 }  // namespace scree::run

@@ -70,9 +70,10 @@ struct ResumeChanges {
   std::string from = {};  // the stage from whose end it goes on; empty: from the latest state
 };
 
-// Goes on with the run in the directory options.out, from the latest of its states that can be read, to the same
-// bits as if it had never stopped. Results are dropped only with options.overwrite: all of them if there is no state, those
-// after the stage `from`. Throws Error as run_plan() does; nothing is changed if the status is bad_input.
+// Goes on with the run in the directory options.out, from the latest of its states that can be read, to the
+// same bits as if it had never stopped. Results are dropped only with options.overwrite: all of them if there
+// is no state, those after the stage `from`. Throws Error as run_plan() does; nothing is changed if the
+// status is bad_input.
 RunResult resume_run(const RunOptions& options, const ResumeChanges& changes, PluginHost& host,
                      const scenario::StudyTables& studies = {});
 

@@ -104,8 +104,9 @@ class SpareRoom {
   SpareRoom(const SpareRoom&) = delete;
   SpareRoom& operator=(const SpareRoom&) = delete;
 
-  // Lists the file in a directory, and keeps room for its record, a file which is there. Throws Error (failure) if the disk has
-  // no room for it. Where a file system or a limit on file sizes does not allow such a file, there is none.
+  // Lists the file in a directory, and keeps room for its record, a file which is there. Throws Error
+  // (failure) if the disk has no room for it. Where a file system or a limit on file sizes does not allow
+  // such a file, there is none.
   void reserve(const RunDirectory& directory, const char* record);
   // Gives the room back. A file of another process that has the name by now stays.
   void release();
@@ -153,8 +154,8 @@ class Session {
   // Of results that go on, or begin anew, in the directory where they are.
   Session(const ResultKind& kind, const scenario::Plan& plan, SessionOptions options, RunDirectory directory);
 
-  // Carries out a study from its start, or from the state of a file. Throws its errors; those after the first file
-  // are recorded.
+  // Carries out a study from its start, or from the state of a file. Throws its errors; those after the first
+  // file are recorded.
   void begin(Study& study);
   void resume(Study& study, const State& state, const std::filesystem::path& file);
 

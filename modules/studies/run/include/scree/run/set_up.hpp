@@ -16,11 +16,12 @@ namespace scree::run {
 // long, or if a probe reads something that does not exist.
 std::unique_ptr<Simulation> set_up(const scenario::Plan& plan, unsigned threads = 1);
 
-// The simulation of a plan at t = 0 with the parameters of its last stage, for checks of walls and laws before a step is taken; null if
-// they do not fit the bodies there.
+// The simulation of a plan at t = 0 with the parameters of its last stage, for checks of walls and laws
+// before a step is taken; null if they do not fit the bodies there.
 std::unique_ptr<Simulation> set_up_with_last_stage(const scenario::Plan& plan);
 
-// The simulation of a state, with the parameters of the stage in which it was saved. stages: as StageRunner::save wrote it.
+// The simulation of a state, with the parameters of the stage in which it was saved. stages: as
+// StageRunner::save wrote it.
 std::unique_ptr<Simulation> resumed(const scenario::Plan& plan, const State& state,
                                     const StateTransfer& stages, unsigned threads);
 

@@ -19,7 +19,8 @@ LargestOverlap largest_overlap(const Simulation& simulation);
 
 // Each warning is one line "<what>; <cure>" without its place.
 
-// Of a scene at t = 0: time step, integrator, grazing impacts, initial overlaps, slow builds of plug-ins, what was not taken from files.
+// Of a scene at t = 0: time step, integrator, grazing impacts, initial overlaps, slow builds of plug-ins,
+// what was not taken from files.
 std::vector<std::string> start_warnings(const scenario::Plan& plan, const Simulation& simulation);
 
 // Of the results so far: energy balance and energy created by contact laws.

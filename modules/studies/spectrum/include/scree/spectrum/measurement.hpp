@@ -38,13 +38,14 @@ struct Measurement {
   std::vector<run::Verdict> verdicts;  // of the expectations of peaks on the methods that were asked for
 };
 
-// Runs the stages of a plan with [spectrum], measures by each method and writes the directory: sweep.csv while
-// a sweep runs; spectrum.csv, peaks.csv, methods.csv, charts/, spectrum.json. Throws Error (bad_input) before
-// anything is written, or as a run does.
+// Runs the stages of a plan with [spectrum], measures by each method and writes the directory: sweep.csv
+// while a sweep runs; spectrum.csv, peaks.csv, methods.csv, charts/, spectrum.json. Throws Error (bad_input)
+// before anything is written, or as a run does.
 Measurement measure(const scenario::Plan& plan, const MeasurementOptions& options);
 
-// Continues the measurement in the directory options.out after its last complete frequency, to the same bits and
-// by the methods it began with. Throws Error as measure() does; nothing is changed if the status is bad_input.
+// Continues the measurement in the directory options.out after its last complete frequency, to the same bits
+// and by the methods it began with. Throws Error as measure() does; nothing is changed if the status is
+// bad_input.
 Measurement resume_measurement(const MeasurementOptions& options, PluginHost& host);
 
 // At most 25 lines for people: methods with their steps and times, peaks with errors, differences of methods.

@@ -17,9 +17,9 @@ struct ModeShape {
   // In the phase in which the layers move most, divided by the largest displacement, which is positive.
   std::vector<double> displacement;
   // Wavelengths between the ends, the nearest of 0.25, 0.5, 0.75, ...: of the sine of any phase that fits the
-  // displacements best, with as many nodes, or one more beyond an end. So a wall that moves by itself makes no
-  // antinode. NaN without a standing wave: the returning wave has less than a quarter of the amplitude of the
-  // outgoing wave.
+  // displacements best, with as many nodes, or one more beyond an end. So a wall that moves by itself makes
+  // no antinode. NaN without a standing wave: the returning wave has less than a quarter of the amplitude of
+  // the outgoing wave.
   double wavelengths = std::numeric_limits<double>::quiet_NaN();
 };
 
@@ -38,8 +38,8 @@ struct Resonance {
   // Displacements of layers at the nearest frequency, over that of the drive; or empty.
   std::vector<std::complex<double>> layers;
   std::vector<double> shape;  // their parts in phase with each other, the largest 1
-  // Place of the frequency at which the response is largest within half a width of the peak; none if the response
-  // has no maximum there, but a shoulder.
+  // Place of the frequency at which the response is largest within half a width of the peak; none if the
+  // response has no maximum there, but a shoulder.
   std::optional<std::size_t> maximum = {};
 };
 
@@ -53,13 +53,13 @@ std::vector<Resonance> resonances_of(const std::vector<MethodSpectrum>& spectra,
 std::string name_of(const Resonance& resonance);
 // A number of a peak, by its place in peak_numbers; wavelengths are NaN without a standing wave.
 double number_of(const Resonance& resonance, std::size_t number);
-// The number of the peak that a quantity names; of several peaks with that name, of the highest. NaN if there is
-// none.
+// The number of the peak that a quantity names; of several peaks with that name, of the highest. NaN if there
+// is none.
 double value_of(const PeakQuantity& quantity, const std::vector<MethodSpectrum>& spectra,
                 const std::vector<Resonance>& resonances);
 
-// "<what>; <cure>" for each outstanding maximum of a column that has no peak. Most often too few frequencies lie
-// in its width for a fit.
+// "<what>; <cure>" for each outstanding maximum of a column that has no peak. Most often too few frequencies
+// lie in its width for a fit.
 std::vector<std::string> missing_peaks(const std::vector<MethodSpectrum>& spectra,
                                        const std::vector<Resonance>& resonances,
                                        const std::vector<ObservedColumn>& observed);

@@ -19,8 +19,8 @@ struct InMemorySpectrum {
   bool stopped = false;     // before its end
 };
 
-// spectrum_plan: from read_spectrum(). Runs the stages and measures by the methods on one thread until `*stop` is
-// true; `stop` may be null. Throws Error as measure() does.
+// spectrum_plan: from read_spectrum(). Runs the stages and measures by the methods on one thread until
+// `*stop` is true; `stop` may be null. Throws Error as measure() does.
 InMemorySpectrum spectrum_in_memory(const scenario::Plan& plan, const SpectrumPlan& spectrum_plan,
                                     const std::vector<Method>& methods, const std::atomic<bool>* stop);
 

@@ -41,8 +41,8 @@ struct SweepSettings {
 // [spectrum.pulse].
 struct PulseSettings {
   enum class Form { gaussian, ricker, chirp, noise };
-  // The frequencies of a chirp and of noise extend beyond the band by this share of from_hz on each side; a chirp
-  // rises and falls there.
+  // The frequencies of a chirp and of noise extend beyond the band by this share of from_hz on each side; a
+  // chirp rises and falls there.
   static constexpr double band_margin = 0.5;
 
   Form form = Form::gaussian;
@@ -85,8 +85,8 @@ struct SpectrumPlan {
   std::vector<double> frequencies() const;
 };
 
-// Reads [spectrum] in the document of a plan whose scene and probes are known; nothing without it. Throws Error
-// "file:line:column: what is wrong; what to do" at the wrong key.
+// Reads [spectrum] in the document of a plan whose scene and probes are known; nothing without it. Throws
+// Error "file:line:column: what is wrong; what to do" at the wrong key.
 std::optional<SpectrumPlan> read_spectrum(const scenario::Plan& plan);
 
 // [spectrum] for scenario::read_plan.
