@@ -1,6 +1,6 @@
 #include "assembly/contact_geometry.hpp"
 
-#include "../packings.hpp"
+#include "packings.hpp"
 
 #include <cmath>
 

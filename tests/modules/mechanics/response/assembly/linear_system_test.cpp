@@ -1,5 +1,5 @@
-#include "../bead_chain.hpp"
-#include "../matrices.hpp"
+#include "bead_chain.hpp"
+#include "matrices.hpp"
 
 #include <array>
 #include <cmath>

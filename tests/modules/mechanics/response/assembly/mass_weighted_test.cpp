@@ -1,6 +1,6 @@
 #include "assembly/mass_weighted.hpp"
 
-#include "../matrices.hpp"
+#include "matrices.hpp"
 
 #include <cmath>
 #include <complex>

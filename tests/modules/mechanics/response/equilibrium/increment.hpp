@@ -1,7 +1,7 @@
 #pragma once
 
-#include "../packings.hpp"
 #include "equilibrium/static_contacts.hpp"
+#include "packings.hpp"
 
 #include <cmath>
 #include <string>

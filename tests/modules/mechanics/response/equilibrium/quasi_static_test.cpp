@@ -1,5 +1,5 @@
-#include "../static/column.hpp"
 #include "prepared.hpp"
+#include "static/column.hpp"
 
 #include <algorithm>
 #include <cmath>

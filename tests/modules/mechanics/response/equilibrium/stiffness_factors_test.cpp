@@ -1,6 +1,6 @@
 #include "equilibrium/stiffness_factors.hpp"
 
-#include "../matrices.hpp"
+#include "matrices.hpp"
 
 #include <cmath>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "modes/mode_span.hpp"
 
-#include "../packings.hpp"
 #include "band/backend/band_backend.hpp"
+#include "packings.hpp"
 
 #include <Eigen/Dense>
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "../packings.hpp"
+#include "packings.hpp"
 
 #include <Eigen/Dense>
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
-#include "../matrices.hpp"
 #include "band/band_library.hpp"
+#include "matrices.hpp"
 
 #include <atomic>
 #include <cmath>

@@ -1,6 +1,6 @@
-#include "../ill_conditioned.hpp"
-#include "../matrices.hpp"
 #include "band/band_library.hpp"
+#include "ill_conditioned.hpp"
+#include "matrices.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "band/backend/elimination.hpp"
 
-#include "../matrices.hpp"
+#include "matrices.hpp"
 
 #include <algorithm>
 #include <random>

@@ -1,6 +1,6 @@
 #include "band/backend/galerkin_basis.hpp"
 
-#include "../matrices.hpp"
+#include "matrices.hpp"
 
 #include <cmath>
 #include <complex>
