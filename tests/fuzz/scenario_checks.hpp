@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <scree/run/set_up.hpp>
+#include <scree/run/step_check.hpp>
 #include <scree/scenario/plan.hpp>
 #include <scree/spectrum/spectrum_plan.hpp>
 

@@ -12,6 +12,7 @@
 #include <scree/files/text.hpp>
 #include <scree/run/charts.hpp>
 #include <scree/run/set_up.hpp>
+#include <scree/run/step_check.hpp>
 #include <scree/run/warnings.hpp>
 
 namespace scree::tool {

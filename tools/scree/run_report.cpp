@@ -12,6 +12,7 @@
 #include <scree/counted.hpp>
 #include <scree/files/text.hpp>
 #include <scree/run/set_up.hpp>
+#include <scree/run/step_check.hpp>
 
 namespace scree::tool {
 

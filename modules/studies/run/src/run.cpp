@@ -9,6 +9,7 @@
 #include <scree/files/try_each.hpp>
 #include <scree/run/drive.hpp>
 #include <scree/run/set_up.hpp>
+#include <scree/run/step_check.hpp>
 #include <scree/run/warnings.hpp>
 
 namespace scree::run {

@@ -7,6 +7,7 @@
 #include <scree/run/drive.hpp>
 #include <scree/run/run_in_memory.hpp>
 #include <scree/run/set_up.hpp>
+#include <scree/run/step_check.hpp>
 #include <scree/run/verdict.hpp>
 #include <scree/scenario/quantities.hpp>
 

@@ -8,6 +8,7 @@
 #include <scree/closed_forms.hpp>
 #include <scree/contact_list.hpp>
 #include <scree/run/set_up.hpp>
+#include <scree/run/step_check.hpp>
 #include <scree/run/warnings.hpp>
 
 namespace scree::run {

@@ -41,23 +41,6 @@ std::string results_of(const Bench& bench) {
 
 }  // namespace
 
-TEST_CASE("a time step too long for the contacts is refused before anything is written, unless it is forced",
-          "[run]") {
-  const std::string slow = with(discs, "every = 2e-5", "every = 1");
-  const Bench bench(slow, {"time.step=1e-2", "time.duration=1", "particles.random_velocity=0.01"});
-  try {
-    bench.run();
-    FAIL("the step is too long");
-  } catch (const Error& error) {
-    CHECK(error.status() == ExitStatus::bad_input);
-    CHECK(std::string(error.what()).find("too long: the contacts of law 'linear_spring_dashpot' allow ") !=
-          std::string::npos);
-  }
-  CHECK_FALSE(fs::exists(bench.options.out));
-  CHECK(step_problem(*set_up(plan_of(discs))) == std::nullopt);
-  CHECK_NOTHROW(set_up(plan_of(slow, {"time.step=1e-2", "time.duration=1", "time.step_guard=false"})));
-}
-
 TEST_CASE("a stage that makes contacts too stiff for the time step is refused before the run starts",
           "[run]") {
   const Bench bench(with(discs, "duration = 1e-4\n", "") +
