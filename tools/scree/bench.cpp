@@ -73,10 +73,11 @@ std::uint64_t warm(RepeatedScene& scene, const BenchOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const auto patient = [&] { return std::chrono::steady_clock::now() - start < std::chrono::seconds(2); };
   std::uint64_t steps = 1;
-  double wall = scene.advance(steps);
-  while (wall < 0.2 * options.seconds && (patient() || scene.begun() < 2)) wall = scene.advance(steps *= 2);
-  if (wall < 0.2 * options.seconds) return steps;
-  return std::max<std::uint64_t>(1, std::uint64_t(double(steps) * options.seconds / wall));
+  double wall_time = scene.advance(steps);
+  while (wall_time < 0.2 * options.seconds && (patient() || scene.begun() < 2))
+    wall_time = scene.advance(steps *= 2);
+  if (wall_time < 0.2 * options.seconds) return steps;
+  return std::max<std::uint64_t>(1, std::uint64_t(double(steps) * options.seconds / wall_time));
 }
 
 }  // namespace

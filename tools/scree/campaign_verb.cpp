@@ -53,7 +53,7 @@ campaign::ExecutionOptions options_of(const CampaignArguments& a, ProgressBar& b
   options.plugin_directories = a.plugins.directories;
   options.stop = &watch_for_interrupt();
   options.on_progress = [&bar](const campaign::Tally& t) {
-    bar.show(t.share, t.wall,
+    bar.show(t.share, t.wall_time,
              fmt::format("{} of {} done, {} running, {} failed", t.finished, counted(t.total, "run"),
                          t.running, t.failed));
   };

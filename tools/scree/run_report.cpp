@@ -39,7 +39,7 @@ double quantity_of(const run::RunResult& r, const char* name) {
 void print_result(const run::RunResult& r) {
   const auto quantity = [&](const char* name) { return quantity_of(r, name); };
   fmt::print("{} in {:.3g} s, {:.3g} million particle-steps per second; {:.3g} s for output\n",
-             counted(std::size_t(quantity("steps")), "step"), r.wall - r.output,
+             counted(std::size_t(quantity("steps")), "step"), r.wall_time - r.output,
              1e-6 * r.particle_steps_per_second, r.output);
   if (const double residual = quantity("energy_residual"); !std::isnan(residual))
     fmt::print("energy residual {:.2g} of the turnover, ", residual);

@@ -34,8 +34,8 @@ accuracy::RecordedStudyOptions options_of(const AccuracyArguments& arguments, Pr
   options.stop = &watch_for_interrupt();
   const auto start = std::chrono::steady_clock::now();
   options.on_progress = [&bar, start](double share, const std::string& what) {
-    const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    bar.show(share, wall, what);
+    const double wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    bar.show(share, wall_time, what);
   };
   options.on_warning = [&bar](const std::string& line) {
     bar.clear();

@@ -19,14 +19,14 @@ class ProgressBar {
   // Without a share: what the end of the stage waits for, and its value so far.
   void show(const run::Progress& progress);
   // A share from 0 to 1, seconds since the start, and what is going on.
-  void show(double share, double wall, std::string_view what);
+  void show(double share, double wall_time, std::string_view what);
   // Clears the moving line, so that other text can follow.
   void clear();
 
  private:
   // From the progress since the first share shown: what is resumed begins above 0.
-  std::string time_left(double share, double wall) const;
-  void print(const std::string& bar, const std::string& text, double wall);
+  std::string time_left(double share, double wall_time) const;
+  void print(const std::string& bar, const std::string& text, double wall_time);
 
   bool quiet_, terminal_;
   double next_plain_line_ = 0;  // (s) of wall time

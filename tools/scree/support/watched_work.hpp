@@ -12,8 +12,8 @@ namespace scree::tool {
 template <class Options>
 Options watched(Options options, ProgressBar& bar) {
   options.stop = &watch_for_interrupt();
-  options.on_progress = [&bar](double share, double wall, const std::string& what) {
-    bar.show(share, wall, what);
+  options.on_progress = [&bar](double share, double wall_time, const std::string& what) {
+    bar.show(share, wall_time, what);
   };
   options.on_warning = [&bar](const std::string& line) {
     bar.clear();

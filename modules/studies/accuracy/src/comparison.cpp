@@ -91,7 +91,7 @@ run::InMemoryRun Comparison::run(const scenario::Plan& changed, double until,
   const spectrum::InMemorySpectrum spectrum =
       spectrum::spectrum_in_memory(changed, *spectrum_, methods_, stop);
   run::InMemoryRun result;
-  result.wall = spectrum.wall;
+  result.wall_time = spectrum.wall_time;
   result.steps = spectrum.steps;
   result.stopped = spectrum.stopped;
   for (const Expectation& e : changed.expectations)

@@ -26,7 +26,8 @@ double SettingResult::worst() const { return errors.empty() ? 0 : errors[worst_q
 const SettingResult* cheapest(const Convergence& study) {
   const SettingResult* best = nullptr;
   for (const SettingResult& o : study.outcomes)
-    if (o.problem.empty() && o.worst() <= study.tolerance && (!best || o.wall < best->wall)) best = &o;
+    if (o.problem.empty() && o.worst() <= study.tolerance && (!best || o.wall_time < best->wall_time))
+      best = &o;
   return best;
 }
 
@@ -37,7 +38,8 @@ std::vector<const SettingResult*> pareto_front(const Convergence& study,
   for (const SettingResult& o : study.outcomes)
     if (o.problem.empty()) front.push_back(&o);
   std::sort(front.begin(), front.end(), [&](const SettingResult* a, const SettingResult* b) {
-    return a->wall != b->wall ? a->wall < b->wall : a->error(quantity) < b->error(quantity);
+    return a->wall_time != b->wall_time ? a->wall_time < b->wall_time
+                                        : a->error(quantity) < b->error(quantity);
   });
   double best = std::numeric_limits<double>::infinity();
   std::erase_if(front, [&](const SettingResult* o) {

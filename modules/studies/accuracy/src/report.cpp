@@ -25,7 +25,7 @@ void write_settings(const Convergence& study, Out out) {
       continue;
     }
     const bool on_front = std::find(front.begin(), front.end(), &o) != front.end();
-    fmt::format_to(out, "{:>10} {:>10.3g} {:>11.3g}  {}{}\n", o.steps, o.wall, o.worst(),
+    fmt::format_to(out, "{:>10} {:>10.3g} {:>11.3g}  {}{}\n", o.steps, o.wall_time, o.worst(),
                    study.quantities[o.worst_quantity()].name,
                    &o == best ? "   <- cheapest within the tolerance"
                    : on_front ? "   <- Pareto front"
@@ -115,7 +115,7 @@ void append_csv(Out out, double number) { fmt::format_to(out, ",{}", number); }
 std::string verdict(const Convergence& study) {
   const auto describe = [](const SettingResult& o) {
     return fmt::format("{} with a step of {:.4g} s ({:.3g} s of wall time, error {:.2g})",
-                       method_name(o.setting), o.setting.step, o.wall, o.worst());
+                       method_name(o.setting), o.setting.step, o.wall_time, o.worst());
   };
   if (const SettingResult* best = cheapest(study))
     return fmt::format("The cheapest setting within {:g} is {}.", study.tolerance, describe(*best));
@@ -153,7 +153,7 @@ std::string csv_report(const Convergence& study) {
   fmt::format_to(out, ",problem\n");
   for (const SettingResult& o : study.outcomes) {
     fmt::format_to(out, "{},{},{},{},{}", traits_of(o.setting.integration).name,
-                   precision_name(o.setting.precision), o.setting.step, o.steps, o.wall);
+                   precision_name(o.setting.precision), o.setting.step, o.steps, o.wall_time);
     append_csv(out, o.problem.empty() ? o.worst() : NAN);
     for (std::size_t k = 0; k < study.quantities.size(); ++k) {
       append_csv(out, o.problem.empty() ? o.values[k] : NAN);

@@ -32,8 +32,8 @@ Json order_of(const Convergence& study, std::size_t method) {
 
 void add_point(charts::ChartSeries& series, const SettingResult& o, std::optional<std::size_t> quantity) {
   const double error = o.error(quantity);
-  if (!(error > 0 && std::isfinite(error) && o.wall > 0)) return;  // not possible on a logarithmic axis
-  series.x.push_back(o.wall);
+  if (!(error > 0 && std::isfinite(error) && o.wall_time > 0)) return;  // not possible on a logarithmic axis
+  series.x.push_back(o.wall_time);
   series.y.push_back(error);
 }
 

@@ -174,12 +174,12 @@ class StudyRunner {
     constexpr int max_repeats = 5;
     constexpr double enough = 0.2;  // (s) of wall time
     InMemoryRun best = comparison_.run(plan, until_, options_.stop);
-    double spent = best.wall;
+    double spent = best.wall_time;
     for (int n = 1; n < max_repeats && spent < enough && !stopped(); ++n) {
       const InMemoryRun again = comparison_.run(plan, until_, options_.stop);
       if (again.stopped) break;
-      spent += again.wall;
-      best.wall = std::min(best.wall, again.wall);
+      spent += again.wall_time;
+      best.wall_time = std::min(best.wall_time, again.wall_time);
     }
     return best;
   }
@@ -191,7 +191,7 @@ class StudyRunner {
     try {
       const InMemoryRun run = timed(with(plan_, setting));
       if (run.stopped) return;
-      outcome.wall = run.wall;
+      outcome.wall_time = run.wall_time;
       outcome.steps = run.steps;
       compare(run, outcome);
     } catch (const Error& error) {

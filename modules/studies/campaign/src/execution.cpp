@@ -202,22 +202,22 @@ class Executor {
     interrupted_ = true;
   }
 
-  double wall() const { return std::chrono::duration<double>(Clock::now() - started_).count(); }
+  double wall_time() const { return std::chrono::duration<double>(Clock::now() - started_).count(); }
 
   void report() const {
     if (!options_.on_progress) return;
     double done = double(done_);
     for (const Job* job : running_) done += share_in(directory_.log(job->point));
     const double share = to_do_ ? done / double(to_do_) : 1;
-    options_.on_progress(
-        {result_.outcomes.size(), result_.count(Status::finished), pool_.size(), failed_, share, wall()});
+    options_.on_progress({result_.outcomes.size(), result_.count(Status::finished), pool_.size(), failed_,
+                          share, wall_time()});
   }
 
   // Keeps the tables up to date during the campaign, also in case the computer fails.
   void save_periodically() {
     constexpr double seconds_between_tables = 10;
-    if (!table_is_old_ || wall() - last_table_ < seconds_between_tables) return;
-    last_table_ = wall();
+    if (!table_is_old_ || wall_time() - last_table_ < seconds_between_tables) return;
+    last_table_ = wall_time();
     table_is_old_ = false;
     write_report(campaign_, result_, directory_);
   }

@@ -136,9 +136,9 @@ class VibrationStudy : public run::Study {
   void take(const char* name, double cost, const Work& work) {
     if (!session_.proceeds()) return;
     part_ = cost;
-    const double start = session_.wall();
+    const double start = session_.wall_time();
     work();
-    result_.seconds.emplace_back(name, session_.wall() - start);
+    result_.seconds.emplace_back(name, session_.wall_time() - start);
     write_tables(result_, directory_);
     done_ += cost;
   }

@@ -29,7 +29,7 @@ Json record_of(const FollowedLoad& load) {
   json["dynamic_steps"] = load.dynamic_steps;
   json["hand_overs"] = Json::array();
   for (const HandOver& h : load.hand_overs) json["hand_overs"].push_back({{"from", h.from}, {"to", h.to}});
-  json["wall"] = {{"all", load.wall}, {"dynamic", load.dynamic_wall}};
+  json["wall"] = {{"all", load.wall_time}, {"dynamic", load.dynamic_wall_time}};
   return json;
 }
 
@@ -80,9 +80,9 @@ std::string text_report(const FollowedLoad& c) {
   if (!c.hand_overs.empty())
     text += fmt::format("{:g} s of {:g} s by dynamics, in {}, where there was no equilibrium nearby\n",
                         c.dynamic_time(), c.reached - c.start, counted(c.hand_overs.size(), "part"));
-  text += fmt::format("{:.3g} s of wall time", c.wall);
+  text += fmt::format("{:.3g} s of wall time", c.wall_time);
   if (c.period > 0 && c.reached > c.start)
-    text += fmt::format(", {:.3g} ms per cycle", 1e3 * c.wall * c.period / (c.reached - c.start));
+    text += fmt::format(", {:.3g} ms per cycle", 1e3 * c.wall_time * c.period / (c.reached - c.start));
   return text + "\n";
 }
 

@@ -48,7 +48,7 @@ class LoadStudy : public run::Study {
   void transfer(const StateTransfer& state) override;
 
   nlohmann::ordered_json record() override {
-    load_.wall = session_.wall();
+    load_.wall_time = session_.wall_time();
     return record_of(load_);
   }
 

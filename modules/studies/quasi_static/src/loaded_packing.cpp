@@ -98,7 +98,7 @@ bool LoadedPacking::move_to(double time) {
   const auto steps = std::llround((time - simulation_->time()) / simulation_->step_length());
   load_.dynamic_steps += simulation_->run(std::uint64_t(steps), proceed_);
   load_.hand_overs.back().to = simulation_->time();
-  load_.dynamic_wall += std::chrono::duration<double>(Clock::now() - begin).count();
+  load_.dynamic_wall_time += std::chrono::duration<double>(Clock::now() - begin).count();
   return proceed_();
 }
 

@@ -37,7 +37,7 @@ void LoadStudy::transfer(const StateTransfer& state) {
                                    {"reached", &load_.reached},
                                    {"increment", &load_.increment},
                                    {"period", &load_.period},
-                                   {"dynamic_wall", &load_.dynamic_wall}})
+                                   {"dynamic_wall", &load_.dynamic_wall_time}})
     state.value(name, "s", *time);
   for (const auto& [name, number] : {std::pair{"bodies", &load_.bodies},
                                      {"degrees_of_freedom", &load_.degrees_of_freedom},

@@ -66,8 +66,8 @@ Json run_record(const scenario::Plan& plan, const RunOptions& options, const Run
                 const Simulation& s) {
   Json json = {{"title", plan.title}, {"seed", plan.seed}, {"threads", options.threads}};
   json["step"] = s.step_length();
-  json["wall_s"] = result.wall;
-  json["stepping_s"] = result.wall - result.output;
+  json["wall_s"] = result.wall_time;
+  json["stepping_s"] = result.wall_time - result.output;
   json["output_s"] = result.output;
   json["states_s"] = result.state_output;
   json["states"] = result.states;
@@ -99,7 +99,7 @@ void Results::transfer(const StateTransfer& state) {
 
 void Results::go_on_with_times() {
   const Recorded before = recorded_in(session_.directory().path());
-  wall_before_ = before.wall;
+  wall_time_before_ = before.wall_time;
   output_before_ = before.output;
   result_.state_output = before.state_output;
   result_.states = before.states;
@@ -134,10 +134,10 @@ void Results::take_quantities() {
 }
 
 Json Results::record() {
-  result_.wall = wall_before_ + session_.watch().total();
+  result_.wall_time = wall_time_before_ + session_.watch().total();
   result_.output = output_before_ + session_.watch().output();
   const double work = double(simulation_.steps()) * double(simulation_.particles().size());
-  const double stepping = result_.wall - result_.output;
+  const double stepping = result_.wall_time - result_.output;
   result_.particle_steps_per_second = stepping > 0 ? work / stepping : 0;
   return run_record(plan_, options_, result_, simulation_);
 }

@@ -49,13 +49,13 @@ class Results {
   Session& session_;
   const Simulation& simulation_;
   RunResult result_;
-  double wall_before_ = 0, output_before_ = 0;  // (s) until the state from which the run goes on
+  double wall_time_before_ = 0, output_before_ = 0;  // (s) until the state from which the run goes on
 };
 
 // What a run that goes on takes from the run.json of its directory; as here if that cannot be read.
 struct Recorded {
   std::string status;
-  double wall = 0, output = 0, state_output = 0;  // (s)
+  double wall_time = 0, output = 0, state_output = 0;  // (s)
   std::uint64_t states = 0;
   std::vector<std::string> warnings = {};
   std::string scenario = {};

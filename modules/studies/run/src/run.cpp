@@ -18,9 +18,9 @@ namespace {
 
 constexpr const char* final_packing = "final_packing.csv";
 
-Progress progress_of(const Simulation& simulation, const StageRunner& runner, double wall) {
+Progress progress_of(const Simulation& simulation, const StageRunner& runner, double wall_time) {
   const Stage& stage = runner.stages()[runner.current()];
-  return {runner.progress(),      wall,           simulation.time(), stage.name, runner.current() + 1,
+  return {runner.progress(),      wall_time,      simulation.time(), stage.name, runner.current() + 1,
           runner.stages().size(), runner.status()};
 }
 
@@ -216,14 +216,14 @@ void Run::report_progress(const StageRunner& runner) {
   constexpr std::uint64_t steps_between_checks = 32;
   constexpr double seconds_between_reports = 0.2;
   if (simulation_->steps() % steps_between_checks) return;
-  const double wall = session_.watch().total();
-  if (wall - last_report_ < seconds_between_reports) return;
-  last_report_ = wall;
+  const double wall_time = session_.watch().total();
+  if (wall_time - last_report_ < seconds_between_reports) return;
+  last_report_ = wall_time;
   session_.directory().check_in_place();
   sampler_.flush();
   states_.look_at_clock();
   if (options_.on_progress && !runner.finished())
-    options_.on_progress(progress_of(*simulation_, runner, wall));
+    options_.on_progress(progress_of(*simulation_, runner, wall_time));
 }
 
 SessionOptions session_options_of(const RunOptions& options) {

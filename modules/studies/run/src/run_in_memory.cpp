@@ -75,7 +75,7 @@ InMemoryRun run_in_memory(const scenario::Plan& plan, const InMemoryOptions& opt
   const double end = options.until - 0.5 * plan.scene.step;
   const auto start = Clock::now();
   const std::string last = drive(runner, InMemoryHooks{plan, options, *simulation, sampler, run, end});
-  run.wall = std::chrono::duration<double>(Clock::now() - start).count();
+  run.wall_time = std::chrono::duration<double>(Clock::now() - start).count();
   sampler.sample_last(*simulation, last);
   run.steps = simulation->steps();
   run.time = simulation->time();

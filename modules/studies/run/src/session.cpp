@@ -132,7 +132,7 @@ void Session::write_record(const char* status) {
 }
 
 void Session::report(double share, const std::string& what) const {
-  if (options_.on_progress) options_.on_progress(share, wall(), what);
+  if (options_.on_progress) options_.on_progress(share, wall_time(), what);
 }
 
 void Session::warn(const std::string& line) {
@@ -161,7 +161,7 @@ void Session::keep(State state, double time) {
   kept_ = std::move(state);
   const bool first = std::exchange(first_state_, false);
   if (!is_state_due(time) && !(first && cadence_.is_on())) return;
-  cadence_.restart(wall(), time);
+  cadence_.restart(wall_time(), time);
   const auto report_once = [&](const std::string& problem) {
     if (!std::exchange(state_failed_, true)) warn(fmt::format("no state at t = {:g} s: {}", time, problem));
   };
@@ -186,10 +186,10 @@ void Session::transfer(const StateTransfer& state) {
   state.value("scenario", "", scenario);
   study_->transfer(state);
   transfer_notes(state);
-  double wall = this->wall();
+  double wall_time = this->wall_time();
   if (!state.has("wall")) return;
-  state.value("wall", "s", wall, stored::non_negative);
-  if (state.restoring()) wall_before_ = wall;
+  state.value("wall", "s", wall_time, stored::non_negative);
+  if (state.restoring()) wall_time_before_ = wall_time;
 }
 
 void Session::transfer_notes(const StateTransfer& state) {

@@ -235,7 +235,7 @@ bool add_linear(const Start& start, MethodSpectrum& spectrum, const std::functio
   if (spectrum.frequencies.empty() && !rest.warning.empty())
     spectrum.notes.push_back("linear: " + rest.warning);
   const bool complete = add_all_frequencies(start, simulation, walls, on_part, spectrum);
-  spectrum.wall += std::chrono::duration<double>(Clock::now() - began).count();
+  spectrum.wall_time += std::chrono::duration<double>(Clock::now() - began).count();
   if (!complete) return false;
   check_columns(start, simulation, walls, spectrum);
   spectrum = without_linearity(std::move(spectrum));

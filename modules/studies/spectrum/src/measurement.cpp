@@ -122,8 +122,8 @@ void SpectrumStudy::take_sweep() {
   write_sweep_table();
   sweep_->run([this] {
     keep_sweep();
-    if (session_.wall() - last_table_ < seconds_between_tables) return;
-    last_table_ = session_.wall();
+    if (session_.wall_time() - last_table_ < seconds_between_tables) return;
+    last_table_ = session_.wall_time();
     write_sweep_table();
   });
   write_sweep_table();

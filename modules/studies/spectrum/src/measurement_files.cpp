@@ -96,7 +96,7 @@ std::string method_table(const Measurement& m) {
   std::string text = csv_line({"method", "frequencies", "steps", "wall [s]"});
   for (const MethodSpectrum& spectrum : m.spectra)
     text += csv_line({spectrum.method, fmt::format("{}", spectrum.frequencies.size()),
-                      fmt::format("{}", spectrum.steps), csv_number(spectrum.wall)});
+                      fmt::format("{}", spectrum.steps), csv_number(spectrum.wall_time)});
   return text;
 }
 
@@ -123,7 +123,7 @@ Json record_of(const Measurement& m) {
     json["methods"].push_back({{"method", spectrum.method},
                                {"frequencies", spectrum.frequencies.size()},
                                {"steps", spectrum.steps},
-                               {"wall", spectrum.wall},
+                               {"wall", spectrum.wall_time},
                                {"notes", spectrum.notes}});
   json["peaks"] = peaks_of(m);
   json["expect"] = run::json_of(m.verdicts);

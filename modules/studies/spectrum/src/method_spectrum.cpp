@@ -51,7 +51,7 @@ void MethodSpectrum::transfer(const StateTransfer& state, std::size_t observed) 
   state.rows("frequencies", "1/s", frequencies, 1, stored::positive);
   if (!std::is_sorted(frequencies.begin(), frequencies.end())) state.refuse("frequencies", "do not increase");
   state.value("steps", "1", steps);
-  state.value("wall", "s", wall, stored::non_negative);
+  state.value("wall", "s", wall_time, stored::non_negative);
   state.rows("notes", "", notes);
   std::uint64_t count = columns.size();
   state.value("columns", "1", count, stored::at_most(observed));

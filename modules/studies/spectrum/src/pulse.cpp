@@ -146,7 +146,7 @@ MethodSpectrum pulse_spectrum(const Start& start) {
       note_change(c, plan, spectrum);
     }
   spectrum.note_silent(plan.observed);
-  spectrum.wall = std::chrono::duration<double>(Clock::now() - began).count();
+  spectrum.wall_time = std::chrono::duration<double>(Clock::now() - began).count();
   return spectrum;
 }
 

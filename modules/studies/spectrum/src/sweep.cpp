@@ -60,7 +60,7 @@ void Sweep::transfer(const StateTransfer& state) {
   observer_.transfer(state.below("observer"));
   walls_.transfer(state.below("walls"));
   state.rows("frequencies", "1/s", frequencies_, 1, stored::positive);
-  state.value("wall", "s", wall_, stored::non_negative);
+  state.value("wall", "s", wall_time_, stored::non_negative);
   state.value("phase", "rad", phase_);
   state.value("began_phase", "rad", began_phase_);
   std::uint64_t count = points_.size();
@@ -104,7 +104,7 @@ void Sweep::run(const std::function<void()>& measured) {
     }
     const auto began = Clock::now();
     auto point = measure(frequencies_[points_.size()]);
-    wall_ += std::chrono::duration<double>(Clock::now() - began).count();
+    wall_time_ += std::chrono::duration<double>(Clock::now() - began).count();
     if (!point) return;
     points_.push_back(std::move(*point));
     measured();
@@ -257,7 +257,7 @@ MethodSpectrum Sweep::spectrum_of(const char* name, std::size_t first, std::size
   spectrum.note_silent(start_.spectrum.observed);
   double all_steps = 0;
   for (const SweepPoint& point : points_) all_steps += double(point.steps);
-  spectrum.wall = spectrum.steps ? wall_ * double(spectrum.steps) / all_steps : 0;
+  spectrum.wall_time = spectrum.steps ? wall_time_ * double(spectrum.steps) / all_steps : 0;
   return spectrum;
 }
 

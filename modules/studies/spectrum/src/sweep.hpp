@@ -65,10 +65,10 @@ class Sweep {
   Observer observer_;
   std::unique_ptr<Simulation> simulation_;
   std::vector<SweepPoint> points_;
-  double phase_ = 0;                   // (rad) of the drive, now
-  double began_phase_ = 0;             // (rad) of the drive when the present tone began
-  std::uint64_t tone_first_ = 0;       // step at which the present tone began
-  double wall_ = 0, last_report_ = 0;  // (s)
+  double phase_ = 0;                        // (rad) of the drive, now
+  double began_phase_ = 0;                  // (rad) of the drive when the present tone began
+  std::uint64_t tone_first_ = 0;            // step at which the present tone began
+  double wall_time_ = 0, last_report_ = 0;  // (s)
 };
 
 }  // namespace scree::spectrum

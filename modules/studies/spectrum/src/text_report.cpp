@@ -65,7 +65,7 @@ std::string text_report(const Measurement& m) {
   lines.push_back(fmt::format("{:<12} {:>12} {:>12} {:>12}", "method", "frequencies", "steps", "wall [s]"));
   for (const MethodSpectrum& spectrum : m.spectra)
     lines.push_back(fmt::format("{:<12} {:>12} {:>12} {:>12.4g}", spectrum.method,
-                                spectrum.frequencies.size(), spectrum.steps, spectrum.wall));
+                                spectrum.frequencies.size(), spectrum.steps, spectrum.wall_time));
   for (std::size_t c = 0; c < responding(m.observed); ++c) add_peaks(m, c, lines);
   std::string text;
   const bool all = lines.size() <= most_lines;

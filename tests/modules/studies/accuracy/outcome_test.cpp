@@ -15,7 +15,7 @@ Convergence outcomes(const std::vector<std::tuple<double, double, double>>& all)
   study.tolerance = 0.01;
   for (const auto& [wall, first, second] : all) {
     SettingResult result;
-    result.wall = wall;
+    result.wall_time = wall;
     result.errors = {first, second};
     study.outcomes.push_back(result);
   }

@@ -36,8 +36,8 @@ TEST_CASE("the time for pictures and series is not counted as stepping", "[run]"
   const Bench bench(discs, {"probe.every=1e-5"});
   const RunResult result = bench.run();
   CHECK(result.output > 0);
-  CHECK(result.output < result.wall);
-  CHECK(result.particle_steps_per_second == Approx(90 / (result.wall - result.output)));
+  CHECK(result.output < result.wall_time);
+  CHECK(result.particle_steps_per_second == Approx(90 / (result.wall_time - result.output)));
 }
 
 TEST_CASE("a run that goes on counts its wall time and its states on", "[run]") {
@@ -50,7 +50,7 @@ TEST_CASE("a run that goes on counts its wall time and its states on", "[run]") 
   before["wall_s"] = 100, before["output_s"] = 60, before["states_s"] = 30;
   bench.folder.write("out/run.json", before.dump());
   const RunResult prolonged = resume(bench, {}, 2e-4);
-  for (const auto& [now, then] : {std::pair(prolonged.wall, 100), std::pair(prolonged.output, 60),
+  for (const auto& [now, then] : {std::pair(prolonged.wall_time, 100), std::pair(prolonged.output, 60),
                                   std::pair(prolonged.state_output, 30)}) {
     CHECK(now >= then);
     CHECK(now < then + 10);  // ten steps

@@ -205,9 +205,9 @@ TEST_CASE("a study that goes on keeps its warnings, and its wall time", "[run]")
   State state = state_file::read_state(c.options.out / "state.h5");
   const StateTransfer to = StateTransfer::saving_to(state).below("quasi_static");
   std::vector<std::string> warnings = {"a wall is loose; hold it"};
-  double wall = 1000;
+  double wall_time = 1000;
   to.rows("warnings", "", warnings);
-  to.value("wall", "s", wall);
+  to.value("wall", "s", wall_time);
   state_file::write_state(c.options.out / "state.h5", state);
   c.stop = false;
   Unfinished from = unfinished_in(c.options.out, quasi_static_results, host(), {});
@@ -215,7 +215,7 @@ TEST_CASE("a study that goes on keeps its warnings, and its wall time", "[run]")
   Counting study(session, from.plan);
   session.resume(study, from.state, from.file);
   CHECK(session.warnings() == warnings);
-  CHECK(session.wall() >= 1000);
+  CHECK(session.wall_time() >= 1000);
 }
 
 TEST_CASE("room for the last record is on the disk until it is given back, and no file of another is removed",

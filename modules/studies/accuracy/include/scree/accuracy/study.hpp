@@ -36,8 +36,8 @@ struct Quantity {
 // Result of a setting.
 struct SettingResult {
   Setting setting;
-  std::string problem;  // why there are no results; empty if there are
-  double wall = 0;      // (s) of the time loop, and of the methods to a peak; minimum over repeats
+  std::string problem;   // why there are no results; empty if there are
+  double wall_time = 0;  // (s) of the time loop, and of the methods to a peak; minimum over repeats
   std::uint64_t steps = 0;
   std::vector<double> values, errors;  // of each quantity; errors are relative
   // The largest error of all quantities.

@@ -13,8 +13,8 @@ namespace scree::campaign {
 // Progress of a campaign.
 struct Tally {
   std::size_t total = 0, finished = 0, running = 0, failed = 0;
-  double share = 0;  // 0 to 1, of the work of this call
-  double wall = 0;   // (s) since the start
+  double share = 0;      // 0 to 1, of the work of this call
+  double wall_time = 0;  // (s) since the start
 };
 
 struct ExecutionOptions {

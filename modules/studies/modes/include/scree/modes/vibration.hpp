@@ -30,7 +30,7 @@ struct VibrationOptions {
   bool contacts_slide = false;     // at the limit of friction; else they stick
   int fewest_contacts = 0;         // of a body that is held; see response::AssemblyOptions
   double residual_limit = 0.01;    // above which modes are named
-  std::function<void(double share, double wall, const std::string& what)> on_progress;
+  std::function<void(double share, double wall_time, const std::string& what)> on_progress;
   std::function<void(const std::string&)> on_warning;  // one line "<what>; <cure>"
   const std::atomic<bool>* stop = nullptr;             // set by Ctrl-C: what is complete is saved
 };

@@ -19,7 +19,7 @@ struct FollowOptions {
   unsigned threads = 1;  // of the stages before
   unsigned increments =
       increments_per_cycle;  // of a period of the last stage, or of that stage if it has none
-  std::function<void(double share, double wall, const std::string& what)> on_progress = {};
+  std::function<void(double share, double wall_time, const std::string& what)> on_progress = {};
   std::function<void(const std::string&)> on_warning = {};  // one line "<what>; <cure>"
   const std::atomic<bool>* stop = nullptr;                  // set by Ctrl-C: what is complete is saved
 };
@@ -42,7 +42,7 @@ struct FollowedLoad {
               events = 0;  // quasi-static; contacts that opened, closed, began or ended to slide
   std::vector<HandOver> hand_overs;
   std::size_t dynamic_steps = 0;
-  double wall = 0, dynamic_wall = 0;  // (s) of all the stage, and of its dynamics
+  double wall_time = 0, dynamic_wall_time = 0;  // (s) of all the stage, and of its dynamics
   bool interrupted = false;
   std::vector<std::string> warnings;  // "<what>; <cure>"
 

@@ -17,7 +17,7 @@ namespace scree::run {
 // Progress of a run, for progress bars.
 struct Progress {
   std::optional<double> share;  // 0 to 1; absent while this stage or a later one ends by a condition
-  double wall = 0;              // (s) since the start
+  double wall_time = 0;         // (s) since the start
   double time = 0;              // (s) simulated
   std::string stage;
   std::size_t stage_number = 1, stages = 1;
@@ -45,7 +45,7 @@ struct StageResult {
 struct RunResult {
   std::filesystem::path directory;
   bool interrupted = false;
-  double wall = 0;                       // (s) from the first step to the last file
+  double wall_time = 0;                  // (s) from the first step to the last file
   double output = 0;                     // (s) of it for samples, files, pictures, charts and states
   double state_output = 0;               // (s) of that for states
   std::uint64_t states = 0;              // written

@@ -11,7 +11,7 @@ namespace scree::run {
 
 // Result of one run of a plan without a directory, for studies of many runs.
 struct InMemoryRun {
-  double wall = 0;  // (s) of the time loop
+  double wall_time = 0;  // (s) of the time loop
   std::uint64_t steps = 0;
   double time = 0;                 // (s) at the end
   bool stopped = false;            // before its end, by InMemoryOptions::stop

@@ -27,7 +27,7 @@ namespace scree::run {
 struct SessionOptions {
   std::filesystem::path out;  // empty: RunDirectory::default_for() the scenario, numbered if it exists
   bool overwrite = false;
-  std::function<void(double share, double wall, const std::string& what)> on_progress;
+  std::function<void(double share, double wall_time, const std::string& what)> on_progress;
   std::function<void(const std::string&)> on_warning;  // one line "<what>; <cure>"
   const std::atomic<bool>* stop = nullptr;             // set by Ctrl-C: what is complete is saved
 };
@@ -75,13 +75,13 @@ class Cadence {
 
   bool is_on() const { return every_ || every_time_; }
   // Whether a state is due by wall time (s).
-  bool is_due(double wall) const { return every_ && wall - last_wall_ >= *every_; }
+  bool is_due(double wall_time) const { return every_ && wall_time - last_wall_ >= *every_; }
   // Whether one is due by either, at the simulated time (s) of a state: the first after each multiple of
   // every_time.
-  bool is_due(double wall, double time) const {
-    return is_due(wall) || (every_time_ && multiple_of(time) > multiple_of(last_time_));
+  bool is_due(double wall_time, double time) const {
+    return is_due(wall_time) || (every_time_ && multiple_of(time) > multiple_of(last_time_));
   }
-  void restart(double wall, double time) { last_wall_ = wall, last_time_ = time; }
+  void restart(double wall_time, double time) { last_wall_ = wall_time, last_time_ = time; }
 
  private:
   double multiple_of(double time) const {
@@ -175,13 +175,15 @@ class Session {
   // The error of a stop before the first file.
   Error stopped_before(const std::string& what) const;
   Stopwatch& watch() { return watch_; }
-  double wall() const { return wall_before_ + watch_.total(); }  // (s), also before it was interrupted
+  double wall_time() const {
+    return wall_time_before_ + watch_.total();
+  }  // (s), also before it was interrupted
   void restart_watch() { watch_ = {}; }
   // Writes the record of a study that goes on.
   void record_running() { write_record("running"); }
 
   // Whether a state at a simulated time (s) is to be written now.
-  bool is_state_due(double time) const { return cadence_.is_due(wall(), time); }
+  bool is_state_due(double time) const { return cadence_.is_due(wall_time(), time); }
   // Adds what the study keeps to a state of its simulation, and writes it: now if it is the first or due,
   // else when the study ends early. One that is due but cannot be written is a warning.
   void keep(State state, double time);
@@ -212,7 +214,7 @@ class Session {
   Cadence cadence_;
   SpareRoom room_;
   Stopwatch watch_;
-  double wall_before_ = 0;  // (s)
+  double wall_time_before_ = 0;  // (s)
 };
 
 }  // namespace scree::run

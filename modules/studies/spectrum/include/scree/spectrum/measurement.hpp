@@ -20,7 +20,7 @@ struct MeasurementOptions {
   bool overwrite = false;
   unsigned threads = 1;
   std::vector<Method> methods = {Method::sweep};
-  std::function<void(double share, double wall, const std::string& what)> on_progress;
+  std::function<void(double share, double wall_time, const std::string& what)> on_progress;
   std::function<void(const std::string&)> on_warning;  // one line "<what>; <cure>"
   const std::atomic<bool>* stop = nullptr;             // set by Ctrl-C: what is complete is saved
 };

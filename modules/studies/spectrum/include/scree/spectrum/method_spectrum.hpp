@@ -28,7 +28,7 @@ struct MethodSpectrum {
   std::vector<double> frequencies;  // (Hz) increasing
   std::vector<Column> columns;      // as SpectrumPlan::observed
   std::uint64_t steps = 0;
-  double wall = 0;                 // (s)
+  double wall_time = 0;            // (s)
   std::vector<std::string> notes;  // "<what>; <cure>"
 
   // Place of the frequency next to this one (Hz). There is at least one.

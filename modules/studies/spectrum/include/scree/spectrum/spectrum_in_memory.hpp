@@ -15,7 +15,7 @@ struct InMemorySpectrum {
   std::vector<MethodSpectrum> spectra;
   std::vector<Resonance> resonances;
   std::uint64_t steps = 0;  // of the stages and the methods
-  double wall = 0;          // (s) of both, without the set-up
+  double wall_time = 0;     // (s) of both, without the set-up
   bool stopped = false;     // before its end
 };
 
