@@ -96,7 +96,7 @@ run::InMemoryRun Comparison::run(const scenario::Plan& changed, double until,
   result.stopped = spectrum.stopped;
   for (const Expectation& e : changed.expectations)
     result.quantities.push_back(spectrum::value_of(*spectrum::peak_quantity(e.quantity, spectrum_->observed),
-                                                   spectrum.spectra, spectrum.resonances));
+                                                   spectrum.spectra, spectrum.peaks));
   return result;
 }
 

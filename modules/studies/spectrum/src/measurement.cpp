@@ -140,9 +140,9 @@ void SpectrumStudy::write_sweep_table() {
 void SpectrumStudy::find_peaks(bool complete) {
   if (!complete && !sweep_ && !unfinished_.frequencies.empty())
     result_.spectra.push_back(without_linearity(unfinished_));
-  result_.resonances = resonances_of(result_.spectra, result_.observed);
+  result_.peaks = peaks_in(result_.spectra, result_.observed);
   if (!complete) return;
-  for (const std::string& line : missing_peaks(result_.spectra, result_.resonances, result_.observed))
+  for (const std::string& line : missing_peaks(result_.spectra, result_.peaks, result_.observed))
     session_.warn(line);
   judge();
 }
@@ -153,7 +153,7 @@ void SpectrumStudy::judge() {
     const std::string method = method_names[quantity.method];
     const bool left_out = std::find(left_out_.begin(), left_out_.end(), method) != left_out_.end();
     if (!has(method) && !left_out) continue;  // not asked for
-    result_.verdicts.push_back(run::judged(e, value_of(quantity, result_.spectra, result_.resonances)));
+    result_.verdicts.push_back(run::judged(e, value_of(quantity, result_.spectra, result_.peaks)));
   }
 }
 

@@ -32,7 +32,7 @@ charts::ChartSeries curve_of(const MethodSpectrum& spectrum, std::size_t c, doub
   return curve;
 }
 
-bool is_named(const Resonance& r) { return !name_of(r).empty(); }
+bool is_named(const Peak& r) { return !name_of(r).empty(); }
 
 // Shapes of the peaks of the first method and column that have any with a name.
 void draw_shapes(const Measurement& m, const run::RunDirectory& directory) {
@@ -40,8 +40,8 @@ void draw_shapes(const Measurement& m, const run::RunDirectory& directory) {
   chart.title = m.title + ": shapes of the peaks";
   chart.x_label = "layer, in the order of the probe";
   chart.y_label = "displacement over the largest";
-  const Resonance& first = *std::find_if(m.resonances.begin(), m.resonances.end(), is_named);
-  for (const Resonance& r : m.resonances) {
+  const Peak& first = *std::find_if(m.peaks.begin(), m.peaks.end(), is_named);
+  for (const Peak& r : m.peaks) {
     if (r.spectrum != first.spectrum || r.column != first.column || !is_named(r)) continue;
     if (chart.series.size() == most_peaks) break;
     charts::ChartSeries curve;
@@ -56,10 +56,10 @@ void draw_shapes(const Measurement& m, const run::RunDirectory& directory) {
 
 // The named peaks of a column, by the first method that has any, as points of its curve.
 void add_peaks(const Measurement& m, std::size_t c, double scale, charts::ChartSpec& chart) {
-  const auto first = std::find_if(m.resonances.begin(), m.resonances.end(),
-                                  [&](const Resonance& r) { return r.column == c && is_named(r); });
+  const auto first = std::find_if(m.peaks.begin(), m.peaks.end(),
+                                  [&](const Peak& r) { return r.column == c && is_named(r); });
   const std::size_t most = chart.series.size() + most_peaks;
-  for (auto r = first; r != m.resonances.end() && chart.series.size() < most; ++r) {
+  for (auto r = first; r != m.peaks.end() && chart.series.size() < most; ++r) {
     if (r->column != c || r->spectrum != first->spectrum || !is_largest_of_name(m, *r)) continue;
     const MethodSpectrum& spectrum = m.spectra[r->spectrum];
     const double frequency = r->mode.frequency;
@@ -109,7 +109,7 @@ void draw_charts(const Measurement& m, const run::RunDirectory& directory,
       report(fmt::format("chart '{}' was not drawn: {}", name, error.what()));
     }
   };
-  if (std::any_of(m.resonances.begin(), m.resonances.end(), is_named))
+  if (std::any_of(m.peaks.begin(), m.peaks.end(), is_named))
     draw("shapes", [&] { draw_shapes(m, directory); });
   for (std::size_t c = 0; c < responding(m.observed); ++c)
     draw(m.observed[c].name, [&] { draw_curves(m, c, directory); });

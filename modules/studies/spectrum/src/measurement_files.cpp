@@ -48,7 +48,7 @@ std::string peak_table(const Measurement& m) {
   std::string text = csv_line({"method", "column", "frequency [Hz]", "frequency_error [Hz]", "width [Hz]",
                                "width_error [Hz]", "quality", "quality_error", "amplitude", "amplitude_error",
                                "amplitude_unit", "phase [rad]", "difference [Hz]", "wavelengths"});
-  for (const Resonance& r : m.resonances) {
+  for (const Peak& r : m.peaks) {
     const signals::FittedMode& mode = r.mode;
     Cells cells = {m.spectra[r.spectrum].method, m.observed[r.column].name};
     add_numbers(cells, {mode.frequency, mode.frequency_error, mode.width, mode.width_error, mode.quality,
@@ -65,7 +65,7 @@ std::string peak_table(const Measurement& m) {
 // peaks.pulse.strain.strain.peak_1.frequency.
 Json peaks_of(const Measurement& m) {
   Json peaks = Json::object();
-  for (const Resonance& r : m.resonances) {
+  for (const Peak& r : m.peaks) {
     Json& of_column = peaks[m.spectra[r.spectrum].method][m.observed[r.column].name];
     Json& peak =
         of_column[is_largest_of_name(m, r) ? name_of(r) : fmt::format("peak_{}", of_column.size() + 1)];
@@ -79,7 +79,7 @@ Json peaks_of(const Measurement& m) {
 std::string shape_table(const Measurement& m) {
   std::string text = csv_line({"method", "column", "frequency [Hz]", "wavelengths", "layer", "displacement",
                                "amplitude [m/m]", "phase [rad]"});
-  for (const Resonance& r : m.resonances)
+  for (const Peak& r : m.peaks)
     for (std::size_t k = 0; k < r.shape.size(); ++k)
       text += csv_line({m.spectra[r.spectrum].method, m.observed[r.column].name, csv_number(r.mode.frequency),
                         csv_number(r.wavelengths), fmt::format("{}", k + 1), csv_number(r.shape[k]),
@@ -88,8 +88,7 @@ std::string shape_table(const Measurement& m) {
 }
 
 bool has_shapes(const Measurement& m) {
-  return std::any_of(m.resonances.begin(), m.resonances.end(),
-                     [](const Resonance& r) { return !r.shape.empty(); });
+  return std::any_of(m.peaks.begin(), m.peaks.end(), [](const Peak& r) { return !r.shape.empty(); });
 }
 
 std::string method_table(const Measurement& m) {
@@ -103,12 +102,11 @@ std::string method_table(const Measurement& m) {
 }  // namespace
 
 // Whether a peak has a name that no larger one of the same method and column has.
-bool is_largest_of_name(const Measurement& m, const Resonance& peak) {
-  return !name_of(peak).empty() &&
-         std::none_of(m.resonances.begin(), m.resonances.end(), [&](const Resonance& r) {
-           return r.spectrum == peak.spectrum && r.column == peak.column && name_of(r) == name_of(peak) &&
-                  r.mode.amplitude > peak.mode.amplitude;
-         });
+bool is_largest_of_name(const Measurement& m, const Peak& peak) {
+  return !name_of(peak).empty() && std::none_of(m.peaks.begin(), m.peaks.end(), [&](const Peak& r) {
+    return r.spectrum == peak.spectrum && r.column == peak.column && name_of(r) == name_of(peak) &&
+           r.mode.amplitude > peak.mode.amplitude;
+  });
 }
 
 std::string unit_of_response(const ObservedColumn& column) {

@@ -28,7 +28,7 @@ void draw_charts(const Measurement& measurement, const run::RunDirectory& direct
                  const std::function<void(const std::string&)>& report);
 
 // Whether a peak has a name that no larger one of the same method and column has.
-bool is_largest_of_name(const Measurement& measurement, const Resonance& peak);
+bool is_largest_of_name(const Measurement& measurement, const Peak& peak);
 
 // Unit of a column per drive: "1/m" of a strain.
 std::string unit_of_response(const ObservedColumn& column);

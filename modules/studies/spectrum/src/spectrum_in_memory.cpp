@@ -60,7 +60,7 @@ InMemorySpectrum spectrum_in_memory(const scenario::Plan& plan, const SpectrumPl
   }
   found.stopped = !start.proceeds();
   for (const MethodSpectrum& spectrum : found.spectra) found.steps += spectrum.steps;
-  found.resonances = resonances_of(found.spectra, spectrum_plan.observed);
+  found.peaks = peaks_in(found.spectra, spectrum_plan.observed);
   found.wall_time = std::chrono::duration<double>(Clock::now() - began).count();
   return found;
 }

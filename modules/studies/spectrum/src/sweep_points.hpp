@@ -34,7 +34,7 @@ std::vector<double> first_frequencies(const SpectrumPlan& plan);
 
 // Frequencies of the grid between points where the response varies: its phase by more than 0.4, its logarithm
 // by more than 0.3, or at a maximum; in the order of the sweep. Empty if the response follows from the
-// points. Two resonances, or one and an antiresonance, between neighbours of the coarse grid can be
+// points. Two peaks, or one and an antiresonance, between neighbours of the coarse grid can be
 // overlooked.
 std::vector<double> further_frequencies(const SpectrumPlan& plan, std::vector<SweepPoint> points);
 

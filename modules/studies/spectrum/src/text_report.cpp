@@ -16,12 +16,12 @@ namespace {
 constexpr std::size_t most_lines = 25;
 
 // A peak of the first method that has any, and the nearest of each other method.
-std::string peak_line(const Measurement& m, const Resonance& first) {
+std::string peak_line(const Measurement& m, const Peak& first) {
   std::string line = fmt::format("{:>12.6g} ± {:<8.2g} {:>10.4g}", first.mode.frequency,
                                  first.mode.frequency_error, first.mode.quality);
   for (std::size_t r = first.spectrum + 1; r < m.spectra.size(); ++r) {
-    const Resonance* nearest = nullptr;
-    for (const Resonance& other : m.resonances)
+    const Peak* nearest = nullptr;
+    for (const Peak& other : m.peaks)
       if (other.spectrum == r && other.column == first.column &&
           (!nearest || std::abs(other.mode.frequency - first.mode.frequency) <
                            std::abs(nearest->mode.frequency - first.mode.frequency)))
@@ -35,9 +35,9 @@ std::string peak_line(const Measurement& m, const Resonance& first) {
 }
 
 void add_peaks(const Measurement& m, std::size_t column, std::vector<std::string>& lines) {
-  const auto first = std::find_if(m.resonances.begin(), m.resonances.end(),
-                                  [&](const Resonance& r) { return r.column == column; });
-  if (first == m.resonances.end()) {
+  const auto first =
+      std::find_if(m.peaks.begin(), m.peaks.end(), [&](const Peak& r) { return r.column == column; });
+  if (first == m.peaks.end()) {
     const bool sought = std::any_of(m.spectra.begin(), m.spectra.end(), [](const MethodSpectrum& spectrum) {
       return spectrum.frequencies.size() >= fewest_frequencies_of_peaks;
     });
@@ -54,7 +54,7 @@ void add_peaks(const Measurement& m, std::size_t column, std::vector<std::string
   for (std::size_t r = first->spectrum + 1; r < m.spectra.size(); ++r)
     head += fmt::format("  {:>21}", m.spectra[r].method + " − [Hz]");
   lines.push_back(head);
-  for (auto r = first; r != m.resonances.end() && r->column == column && r->spectrum == first->spectrum; ++r)
+  for (auto r = first; r != m.peaks.end() && r->column == column && r->spectrum == first->spectrum; ++r)
     lines.push_back(peak_line(m, *r));
 }
 

@@ -7,7 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include <scree/run/set_up.hpp>
-#include <scree/spectrum/resonance.hpp>
+#include <scree/spectrum/peak.hpp>
 
 using namespace scree;
 using namespace scree::spectrum;
@@ -120,7 +120,7 @@ TEST_CASE("an adaptive linear method resolves maxima that are narrower than its 
         Chain().text(fmt::format("from_hz = 20\nto_hz = 160\nlinear.fewest_contacts = 1\n{}\n", grid)));
     const Start start{plan, *read_spectrum(plan), plan.scene, run::set_up(plan)->state()};
     std::vector<signals::FittedMode> modes;
-    for (const Resonance& r : resonances_of({linear_spectrum(start)}, read_spectrum(plan)->observed))
+    for (const Peak& r : peaks_in({linear_spectrum(start)}, read_spectrum(plan)->observed))
       if (read_spectrum(plan)->observed[r.column].name == "particles.z_8") modes.push_back(r.mode);
     return modes;
   };
@@ -139,9 +139,9 @@ TEST_CASE("peaks of velocities are those of displacements", "[spectrum]") {
       driven_plan_of(with(chain.text("from_hz = 8\nto_hz = 60\nstep_hz = 0.5\nlinear.fewest_contacts = 1\n"),
                           "'particles.z_1'", "'particles.vz_8'"));
   const Start start{plan, *read_spectrum(plan), plan.scene, run::set_up(plan)->state()};
-  const auto resonances = resonances_of({linear_spectrum(start)}, read_spectrum(plan)->observed);
-  REQUIRE(resonances.size() == 2);
-  const signals::FittedMode velocity = resonances[0].mode, displacement = resonances[1].mode;
+  const auto peaks = peaks_in({linear_spectrum(start)}, read_spectrum(plan)->observed);
+  REQUIRE(peaks.size() == 2);
+  const signals::FittedMode velocity = peaks[0].mode, displacement = peaks[1].mode;
   // Both fits take the flanks of the other modes for a line, with weights that differ by f.
   CHECK(velocity.frequency == Approx(displacement.frequency).epsilon(1e-4));
   CHECK(velocity.quality == Approx(displacement.quality).epsilon(5e-3));

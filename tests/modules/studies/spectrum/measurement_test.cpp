@@ -24,8 +24,8 @@ TEST_CASE("three methods find the same peak of a chain", "[spectrum]") {
   const Bench bench(Chain().text(measured_grid));
   const Measurement m = measure(bench.plan, bench.options);
   REQUIRE(m.spectra.size() == 3);
-  REQUIRE(m.resonances.size() == 6);
-  for (const Resonance& r : m.resonances) {
+  REQUIRE(m.peaks.size() == 6);
+  for (const Peak& r : m.peaks) {
     // The fit of three widths leaves a background of the other modes: 1e-5 of f0. Runs are shifted by the
     // step.
     const bool runs = m.spectra[r.spectrum].method != "linear";
@@ -156,7 +156,7 @@ TEST_CASE("peaks are named from the shape of the motion", "[spectrum]") {
   bench.options.methods = {Method::linear};
   const Measurement m = measure(bench.plan, bench.options);
   std::vector<std::string> names;
-  for (const Resonance& r : m.resonances)
+  for (const Peak& r : m.peaks)
     if (m.observed[r.column].name == "particles.z_8") names.push_back(name_of(r));
   CHECK(names == std::vector<std::string>{"λ/4", "3λ/4", "5λ/4"});
   const auto record = nlohmann::json::parse(bench.text("spectrum.json"));
@@ -166,11 +166,11 @@ TEST_CASE("peaks are named from the shape of the motion", "[spectrum]") {
   constexpr double tolerance = 2 * (3.0 / 15) * (3.0 / 15);
   for (std::size_t n = 1; n <= 8; ++n) {
     const double exact = std::sin(3 * double(n) * std::acos(-1.0) / 17);
-    CHECK(std::abs(std::abs(m.resonances[1].shape[n - 1]) - std::abs(exact)) < tolerance);
+    CHECK(std::abs(std::abs(m.peaks[1].shape[n - 1]) - std::abs(exact)) < tolerance);
   }
   CHECK(bench.has("shapes.csv"));
   // The last layer holds bead 8 alone: its response is that of the column. Central differences leave 1e-9.
-  const Resonance& peak = m.resonances[1];
+  const Peak& peak = m.peaks[1];
   const std::size_t nearest = std::size_t(std::lround((peak.mode.frequency - 20) / 0.25));
   const auto is_bead = [](const auto& c) { return c.name == "particles.z_8"; };
   const auto column = std::find_if(m.observed.begin(), m.observed.end(), is_bead) - m.observed.begin();
@@ -251,13 +251,13 @@ TEST_CASE("an overriding empty text or list leaves the shapes out", "[spectrum]"
 }
 
 TEST_CASE("a peak whose amplitude is below twice its error has no name", "[spectrum]") {
-  Resonance resonance;
-  resonance.wavelengths = 1.75;
-  resonance.mode.amplitude = 36;
-  resonance.maximum = 0;
+  Peak peak;
+  peak.wavelengths = 1.75;
+  peak.mode.amplitude = 36;
+  peak.maximum = 0;
   for (const auto& [error, name] : {std::pair{17.0, "7λ/4"}, std::pair{19.0, ""}}) {
-    resonance.mode.amplitude_error = error;
-    CHECK(name_of(resonance) == name);
+    peak.mode.amplitude_error = error;
+    CHECK(name_of(peak) == name);
   }
 }
 

@@ -45,7 +45,7 @@ TEST_CASE("a chirp finds the modes of the discrete chain", "[spectrum]") {
   const InMemorySpectrum measured = spectrum_in_memory(plan, *read_spectrum(plan), {Method::pulse}, nullptr);
   CHECK(measured.spectra[0].notes.empty());
   std::vector<double> found;
-  for (const Resonance& r : measured.resonances)
+  for (const Peak& r : measured.peaks)
     if (r.column == 1) found.push_back(r.mode.frequency);
   REQUIRE(found.size() == 3);
   for (int j = 1; j <= 3; ++j) {
@@ -86,7 +86,7 @@ TEST_CASE("noise measures the response and the modes of the discrete chain withi
   CHECK(double(covered) / cases == Approx(0.68).margin(0.05 + 0.04));  // the share of 141 is known to 0.04
   CHECK(largest < 0.03);
   std::vector<signals::FittedMode> found;
-  for (const Resonance& r : measured.resonances)
+  for (const Peak& r : measured.peaks)
     if (r.column == 1) found.push_back(r.mode);
   REQUIRE(found.size() == 3);
   for (int j = 1; j <= 3; ++j) {

@@ -8,7 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include <scree/run/set_up.hpp>
-#include <scree/spectrum/resonance.hpp>
+#include <scree/spectrum/peak.hpp>
 #include <scree/spectrum/spectrum_in_memory.hpp>
 
 using namespace scree;
@@ -138,8 +138,8 @@ TEST_CASE("an adaptive sweep finds the response with a quarter of the steps", "[
     CHECK(std::abs(quick.columns[1].response[k] - chain.response(Chain::beads, hz)) <
           3.5e-3 * std::abs(quick.columns[1].response[k]));
   }
-  const auto exact = resonances_of({full}, read_spectrum(plan)->observed),
-             found = resonances_of({quick}, read_spectrum(plan)->observed);
+  const auto exact = peaks_in({full}, read_spectrum(plan)->observed),
+             found = peaks_in({quick}, read_spectrum(plan)->observed);
   REQUIRE(exact.size() == 4);
   REQUIRE(found.size() == 4);
   for (std::size_t k = 0; k < found.size(); ++k) {

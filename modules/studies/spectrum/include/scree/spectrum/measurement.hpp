@@ -11,7 +11,7 @@
 #include <scree/run/verdict.hpp>
 #include <scree/scenario/plan.hpp>
 #include <scree/spectrum/method_spectrum.hpp>
-#include <scree/spectrum/resonance.hpp>
+#include <scree/spectrum/peak.hpp>
 
 namespace scree::spectrum {
 
@@ -31,7 +31,7 @@ struct Measurement {
   std::string title;
   std::vector<ObservedColumn> observed;
   std::vector<MethodSpectrum> spectra;
-  std::vector<Resonance> resonances;
+  std::vector<Peak> peaks;
   bool interrupted = false;
   run::InputHashes inputs;
   std::vector<std::string> warnings;   // "<what>; <cure>"

@@ -6,14 +6,14 @@
 
 #include <scree/scenario/plan.hpp>
 #include <scree/spectrum/method_spectrum.hpp>
-#include <scree/spectrum/resonance.hpp>
+#include <scree/spectrum/peak.hpp>
 
 namespace scree::spectrum {
 
 // The spectrum of a plan by some methods, without a directory, for studies of many.
 struct InMemorySpectrum {
   std::vector<MethodSpectrum> spectra;
-  std::vector<Resonance> resonances;
+  std::vector<Peak> peaks;
   std::uint64_t steps = 0;  // of the stages and the methods
   double wall_time = 0;     // (s) of both, without the set-up
   bool stopped = false;     // before its end

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include <scree/spectrum/resonance.hpp>
+#include <scree/spectrum/peak.hpp>
 
 namespace scree::spectrum {
 
@@ -76,15 +76,14 @@ double nearest_difference(double frequency, const std::vector<signals::FittedMod
   return nearest;
 }
 
-void set_shape(const MethodSpectrum& spectrum, const std::vector<ObservedColumn>& observed,
-               Resonance& resonance) {
-  const std::size_t nearest = spectrum.nearest(resonance.mode.frequency);
+void set_shape(const MethodSpectrum& spectrum, const std::vector<ObservedColumn>& observed, Peak& peak) {
+  const std::size_t nearest = spectrum.nearest(peak.mode.frequency);
   for (std::size_t c = responding(observed); c < observed.size(); ++c)
-    resonance.layers.push_back(spectrum.columns[c].response[nearest]);
-  if (resonance.layers.empty()) return;
-  const ModeShape shape = mode_shape(resonance.layers);
-  resonance.wavelengths = shape.wavelengths;
-  resonance.shape = shape.displacement;
+    peak.layers.push_back(spectrum.columns[c].response[nearest]);
+  if (peak.layers.empty()) return;
+  const ModeShape shape = mode_shape(peak.layers);
+  peak.wavelengths = shape.wavelengths;
+  peak.shape = shape.displacement;
 }
 
 std::optional<std::size_t> maximum_of(const MethodSpectrum& spectrum, std::size_t c,
@@ -105,10 +104,10 @@ std::optional<std::size_t> maximum_of(const MethodSpectrum& spectrum, std::size_
 }
 
 // Of the last one. Of two peaks with the same maximum, the lower one is a shoulder.
-void set_maximum(const MethodSpectrum& spectrum, std::vector<Resonance>& all) {
-  Resonance& last = all.back();
+void set_maximum(const MethodSpectrum& spectrum, std::vector<Peak>& all) {
+  Peak& last = all.back();
   last.maximum = maximum_of(spectrum, last.column, last.mode);
-  for (Resonance& other : all) {
+  for (Peak& other : all) {
     if (&other == &last || !last.maximum || other.maximum != last.maximum ||
         other.spectrum != last.spectrum || other.column != last.column)
       continue;
@@ -155,9 +154,9 @@ const char* adaptive_cure(const std::string& method) {
   return method.starts_with("sweep") ? ", or spectrum.sweep.adaptive = true" : "";
 }
 
-bool has_peak(const std::vector<Resonance>& resonances, std::size_t spectrum, std::size_t column,
-              double frequency, double step) {
-  return std::any_of(resonances.begin(), resonances.end(), [&](const Resonance& r) {
+bool has_peak(const std::vector<Peak>& peaks, std::size_t spectrum, std::size_t column, double frequency,
+              double step) {
+  return std::any_of(peaks.begin(), peaks.end(), [&](const Peak& r) {
     return r.spectrum == spectrum && r.column == column &&
            std::abs(r.mode.frequency - frequency) <= std::max(steps_beside * step, r.mode.width);
   });
@@ -184,9 +183,9 @@ ModeShape mode_shape(const std::vector<std::complex<double>>& layers) {
   return shape;
 }
 
-std::vector<Resonance> resonances_of(const std::vector<MethodSpectrum>& spectra,
-                                     const std::vector<ObservedColumn>& observed) {
-  std::vector<Resonance> all;
+std::vector<Peak> peaks_in(const std::vector<MethodSpectrum>& spectra,
+                           const std::vector<ObservedColumn>& observed) {
+  std::vector<Peak> all;
   for (std::size_t c = 0; !spectra.empty() && c < responding(observed); ++c) {
     std::vector<signals::FittedMode> of_first;
     for (std::size_t r = 0; r < spectra.size(); ++r) {
@@ -206,19 +205,19 @@ std::vector<Resonance> resonances_of(const std::vector<MethodSpectrum>& spectra,
   return all;
 }
 
-double number_of(const Resonance& resonance, std::size_t number) {
-  const signals::FittedMode& mode = resonance.mode;
-  const double numbers[] = {mode.frequency, mode.frequency_error, mode.quality,         mode.quality_error,
-                            mode.amplitude, mode.amplitude_error, resonance.wavelengths};
+double number_of(const Peak& peak, std::size_t number) {
+  const signals::FittedMode& mode = peak.mode;
+  const double numbers[] = {mode.frequency, mode.frequency_error, mode.quality,    mode.quality_error,
+                            mode.amplitude, mode.amplitude_error, peak.wavelengths};
   static_assert(std::size(numbers) == peak_numbers.size());
   return numbers[number];
 }
 
 double value_of(const PeakQuantity& quantity, const std::vector<MethodSpectrum>& spectra,
-                const std::vector<Resonance>& resonances) {
-  const Resonance* found = nullptr;
+                const std::vector<Peak>& peaks) {
+  const Peak* found = nullptr;
   int rank = 0;  // by frequency, in which they are sorted
-  for (const Resonance& r : resonances) {
+  for (const Peak& r : peaks) {
     if (spectra[r.spectrum].method != method_names[quantity.method] || r.column != quantity.column) continue;
     ++rank;
     const bool named = quantity.peak == "peak_" + std::to_string(rank) || quantity.peak == name_of(r);
@@ -227,16 +226,16 @@ double value_of(const PeakQuantity& quantity, const std::vector<MethodSpectrum>&
   return found ? number_of(*found, quantity.number) : std::numeric_limits<double>::quiet_NaN();
 }
 
-std::string name_of(const Resonance& resonance) {
-  const bool stands_out = resonance.mode.amplitude > 2 * resonance.mode.amplitude_error;
-  if (std::isnan(resonance.wavelengths) || !resonance.maximum || !stands_out) return "";
-  int count = int(std::lround(4 * resonance.wavelengths)), of = 4;
+std::string name_of(const Peak& peak) {
+  const bool stands_out = peak.mode.amplitude > 2 * peak.mode.amplitude_error;
+  if (std::isnan(peak.wavelengths) || !peak.maximum || !stands_out) return "";
+  int count = int(std::lround(4 * peak.wavelengths)), of = 4;
   for (; of > 1 && count % 2 == 0; of /= 2) count /= 2;
   return (count == 1 ? "" : std::to_string(count)) + "λ" + (of == 1 ? "" : "/" + std::to_string(of));
 }
 
 std::vector<std::string> missing_peaks(const std::vector<MethodSpectrum>& spectra,
-                                       const std::vector<Resonance>& resonances,
+                                       const std::vector<Peak>& peaks,
                                        const std::vector<ObservedColumn>& observed) {
   std::vector<std::string> notes;
   for (std::size_t r = 0; r < spectra.size(); ++r) {
@@ -245,7 +244,7 @@ std::vector<std::string> missing_peaks(const std::vector<MethodSpectrum>& spectr
     for (std::size_t c = 0; c < responding(observed); ++c) {
       for (const std::size_t k : outstanding(spectra[r].columns[c])) {
         const double step = 0.5 * (frequencies[k + 1] - frequencies[k - 1]);
-        if (has_peak(resonances, r, c, frequencies[k], step)) continue;
+        if (has_peak(peaks, r, c, frequencies[k], step)) continue;
         notes.push_back(fmt::format(
             "{}: the maximum of {} at {:g} Hz is no peak that could be fitted, for which a mode has at least 4 frequencies in its width; "
             "give a smaller step_hz{}",

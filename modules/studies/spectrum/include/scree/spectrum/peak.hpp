@@ -27,7 +27,7 @@ struct ModeShape {
 ModeShape mode_shape(const std::vector<std::complex<double>>& layers);
 
 // A peak in the response of a column, as one method found it.
-struct Resonance {
+struct Peak {
   std::size_t spectrum = 0, column = 0;  // of the measurement
   signals::FittedMode mode;
   // f0 − that of the nearest peak of the first method (Hz); 0 for the first method, NaN if it has none.
@@ -47,21 +47,21 @@ constexpr std::size_t fewest_frequencies_of_peaks = 16;
 
 // The peaks of all spectra, by column, method and frequency. Spectra with fewer frequencies, and columns with
 // numbers that are not finite, have none. `observed`: the columns of the spectra.
-std::vector<Resonance> resonances_of(const std::vector<MethodSpectrum>& spectra,
-                                     const std::vector<ObservedColumn>& observed);
+std::vector<Peak> peaks_in(const std::vector<MethodSpectrum>& spectra,
+                           const std::vector<ObservedColumn>& observed);
 // "λ/4", "3λ/4", "λ", ...; "" without a standing wave or a maximum, and for an amplitude below two errors.
-std::string name_of(const Resonance& resonance);
+std::string name_of(const Peak& peak);
 // A number of a peak, by its place in peak_numbers; wavelengths are NaN without a standing wave.
-double number_of(const Resonance& resonance, std::size_t number);
+double number_of(const Peak& peak, std::size_t number);
 // The number of the peak that a quantity names; of several peaks with that name, of the highest. NaN if there
 // is none.
 double value_of(const PeakQuantity& quantity, const std::vector<MethodSpectrum>& spectra,
-                const std::vector<Resonance>& resonances);
+                const std::vector<Peak>& peaks);
 
 // "<what>; <cure>" for each outstanding maximum of a column that has no peak. Most often too few frequencies
 // lie in its width for a fit.
 std::vector<std::string> missing_peaks(const std::vector<MethodSpectrum>& spectra,
-                                       const std::vector<Resonance>& resonances,
+                                       const std::vector<Peak>& peaks,
                                        const std::vector<ObservedColumn>& observed);
 
 }  // namespace scree::spectrum

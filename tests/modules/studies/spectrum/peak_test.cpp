@@ -7,7 +7,7 @@
 
 #include <catch2/catch.hpp>
 
-#include <scree/spectrum/resonance.hpp>
+#include <scree/spectrum/peak.hpp>
 
 using namespace scree::spectrum;
 
@@ -139,9 +139,9 @@ TEST_CASE("a shoulder is a peak without a name", "[spectrum]") {
   std::vector<ObservedColumn> observed(7);
   observed[0].unit = "m";
   for (std::size_t layer = 1; layer < 7; ++layer) observed[layer].of_shape = true;
-  const auto resonances = resonances_of({spectrum}, observed);
-  REQUIRE(resonances.size() == 2);
-  CHECK(resonances[1].mode.frequency == Approx(second).epsilon(1e-6));
-  CHECK(name_of(resonances[0]) == "λ/4");
-  CHECK(name_of(resonances[1]).empty());
+  const auto peaks = peaks_in({spectrum}, observed);
+  REQUIRE(peaks.size() == 2);
+  CHECK(peaks[1].mode.frequency == Approx(second).epsilon(1e-6));
+  CHECK(name_of(peaks[0]) == "λ/4");
+  CHECK(name_of(peaks[1]).empty());
 }
