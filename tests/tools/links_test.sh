@@ -1,6 +1,7 @@
 #!/bin/sh
 # Every relative link of every document of a tree leads to a file: links and pictures of Markdown, and names of documents
-# in code spans, which count from the folder of the document or from the top. Usage: links_test.sh TOP
+# in code spans, which count from the folder of the document or from the top; and every source that a code span names, by
+# its name or the end of its path, is there. Usage: links_test.sh TOP
 set -eu
 top=$1
 status=0
@@ -16,6 +17,7 @@ check() {
   status=1
 }
 
+sources=$(find -L "$top/" -name build -prune -o -name runs -prune -o -name '*.[ch]pp' -print -o -name '*.h' -print)
 documents=$(find -L "$top/" -name build -prune -o -name runs -prune -o -name '*.md' -print)
 [ -n "$documents" ]
 for document in $documents; do
@@ -25,6 +27,12 @@ for document in $documents; do
   done
   for target in $(grep -o '`[A-Za-z0-9_./-]*\.md`' "$document" | tr -d '`' || true); do
     check "$document" "$target" "$folder" "$top"
+  done
+  for target in $(grep -o '`[A-Za-z0-9_./-]*[A-Za-z0-9_]\.\([ch]pp\|h\)`' "$document" | tr -d '`' || true); do
+    if ! echo "$sources" | grep -q "/$target\$"; then
+      echo "${document#"$top"/}: $target is not there"
+      status=1
+    fi
   done
 done
 exit $status

@@ -21,11 +21,16 @@ endif()
 # For what spends its time in libraries and plug-ins, as the program and the tests do: at -O3 they take a third longer to
 # compile and run no faster. Results have the same bits at every level.
 add_library(scree_quick_to_compile INTERFACE)
-target_compile_options(scree_quick_to_compile INTERFACE $<$<CONFIG:Release,RelWithDebInfo>:-O1>)
+if(NOT SCREE_SANITIZE)
+  target_compile_options(scree_quick_to_compile INTERFACE $<$<CONFIG:Release,RelWithDebInfo>:-O1>)
+endif()
 
 if(SCREE_SANITIZE)
   # Optimising instrumented code takes minutes a file; errors are found without.
-  set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O1 -g1 -D_GLIBCXX_ASSERTIONS")
+  set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O0 -g1 -D_GLIBCXX_ASSERTIONS")
+  if(SCREE_FUZZ) # for more inputs in a second
+    set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O1 -g1 -D_GLIBCXX_ASSERTIONS")
+  endif()
   add_compile_options(-fsanitize=${SCREE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${SCREE_SANITIZE})
   if(SCREE_FUZZ)
@@ -46,4 +51,16 @@ endif()
 # a batch take about two fifths of their time one by one.
 function(scree_compile_together target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${SCREE_BATCHES})
+endfunction()
+
+# scree_compile_apart(<target> <names>...): sources src/<name>.cpp of a library in a batch of their own, the objects
+# <target>_apart, whose include folders, libraries and options the caller sets.
+function(scree_compile_apart target)
+  list(TRANSFORM ARGN REPLACE "(.+)" "${CMAKE_CURRENT_SOURCE_DIR}/src/\\1.cpp" OUTPUT_VARIABLE loops)
+  get_target_property(others ${target} SOURCES)
+  list(REMOVE_ITEM others ${loops})
+  set_target_properties(${target} PROPERTIES SOURCES "${others}")
+  add_library(${target}_apart OBJECT ${loops})
+  scree_compile_together(${target}_apart)
+  target_sources(${target} PRIVATE $<TARGET_OBJECTS:${target}_apart>)
 endfunction()

@@ -8,7 +8,7 @@ namespace scree::signals {
 namespace {
 
 constexpr std::array widths = {0.35, 0.5, 0.7, 1.0, 1.4, 2.0, 2.8};  // of the modes, over the mean one
-constexpr double round_off = 1e-13;
+constexpr double variance_round_off = 1e-13;
 
 }  // namespace
 
@@ -25,7 +25,7 @@ ModeBackground::ModeBackground(const Eigen::VectorXd& frequencies, const Eigen::
       covariance(row, column) = sum, covariance(column, row) = std::conj(sum);
     }
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> solver(covariance);
-  variances_ = solver.eigenvalues().cwiseMax(0.0).array() + round_off;
+  variances_ = solver.eigenvalues().cwiseMax(0.0).array() + variance_round_off;
   vectors_ = solver.eigenvectors();
 }
 

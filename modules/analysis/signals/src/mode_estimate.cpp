@@ -23,7 +23,7 @@ constexpr std::array noises = {1e-8, 1e-6, 1e-4, 1e-2, 1.0, 1e2};  // variances 
 constexpr double no_background = 1e8, prior_of_noise = double(background_widths.size() * noises.size());
 constexpr double negligible =
     8;  // by which the logarithm of the evidence is below that of the best background
-constexpr double round_off = 1e-26;             // of sums of squares
+constexpr double square_round_off = 1e-26;      // of sums of squares
 constexpr int steps_of_grid = 4;                // on each side
 constexpr double size_of_grid = 4;              // standard deviations on each side
 constexpr double narrowest = 0.15, widest = 4;  // over the width at the start
@@ -52,7 +52,7 @@ class OneBackground {
     for (Index k = 0; k < white.cols(); ++k)
       log_restricted_ += 2 * std::log(std::abs(qr.matrixQR()(k, k)) * norms[k]);
     values_ = rest_of(columns.values());
-    least_square_ = round_off * background.whitened(columns.values(), noise).squaredNorm();
+    least_square_ = square_round_off * background.whitened(columns.values(), noise).squaredNorm();
     spare_ = double(count_ - 1 - basis_.cols());
     independent_ = std::min(spare_, background.independent(noise));
   }

@@ -18,7 +18,7 @@ using Matrix = Eigen::MatrixXd;
 using Index = Eigen::Index;
 
 constexpr Index narrow_block = 8, widest_block = 100;
-constexpr int most_rounds = 6;
+constexpr int most_span_rounds = 6;
 
 }  // namespace
 
@@ -27,7 +27,7 @@ ModeSpan::ModeSpan(const UndampedSystem& system, const ModeSearch& search)
 
 void ModeSpan::find(const ShiftedFactors& factors, Index wanted, bool both_sides) {
   const Index target = modes_.cols() + std::min(wanted, Index(system_.modes()) - modes_.cols());
-  for (int round = 0; modes_.cols() < target && round < most_rounds && search_.proceed(); ++round) {
+  for (int round = 0; modes_.cols() < target && round < most_span_rounds && search_.proceed(); ++round) {
     const Index before = modes_.cols(), missing = target - before;
     const Index block = std::min({std::max(narrow_block, std::min(missing + spare_modes, widest_block)),
                                   Index(system_.modes()) - before});
