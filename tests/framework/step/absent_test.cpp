@@ -99,7 +99,8 @@ TEST_CASE("a wall does not come back before the centre of a body") {
 
 TEST_CASE("a stage in which a wall would come back before the centre of a body does not begin") {
   const auto stage = [](const char* name, double control) {
-    Stage s{.name = name};
+    Stage s;
+    s.name = name;
     s.duration = 0.2;
     s.changes = {
         {SCREE_CONTACT_LAW, ground_law, parameters(ground_law, SCREE_CONTACT_LAW, ground_spring), {}},

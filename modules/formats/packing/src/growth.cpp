@@ -14,7 +14,7 @@ namespace {
 
 // Overlap, over the smaller radius, at which bodies count as clear of each other; they grow by twice as much
 // more than they have to, so that none is left.
-constexpr double tolerance = 1e-4, excess = 2e-4;
+constexpr double fraction_tolerance = 1e-4, excess = 2e-4;
 constexpr double first_growth = 0.02, least_growth = 1e-4;  // of the radii, in one go
 constexpr int most_sweeps = 2000;                           // of all pairs, in one go
 
@@ -62,7 +62,7 @@ class Growth {
       if (travel() > 0.5 * skin_) search(scale);
       const double largest = push_pairs(scale);
       for (std::uint32_t i = 0; i < free_; ++i) confine(i, scale);
-      if (largest <= tolerance) return true;
+      if (largest <= fraction_tolerance) return true;
     }
     return false;
   }
