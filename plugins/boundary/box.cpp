@@ -263,7 +263,8 @@ struct Box {
     return motions[w].begin_by_load(limits, mid_speed, stiffness_of(w, s), prescribed, forces, s.step,
                                     load_after, s.energy);
   }
-  // Stiffness of the contacts of a wall that tries displacements: the last part of the state.
+  // Stiffness of the contacts of a wall that tries displacements: behind the loads of all walls, and behind
+  // their free speeds where motions are superposed.
   double& stiffness_of(int w, const BoundaryStep& s) const {
     return s.state[std::size_t((1 + superposes) * walls() + w)];
   }
@@ -282,7 +283,7 @@ struct Box {
   static double speed_of(int w, const BoundaryStep& s) {
     return sign(w) * s.walls[std::size_t(w)].velocity[w / 2];
   }
-  // s' of a wall: where a motion is superposed, the second half of the state.
+  // s' of a wall: where a motion is superposed, behind the loads of all walls.
   double free_speed_of(int w, const BoundaryStep& s) const {
     return motions[w].superposes() ? s.state[std::size_t(walls() + w)] : speed_of(w, s);
   }

@@ -190,8 +190,8 @@ struct Kernel : Parameters {
 
  protected:
   // Sets the normal part of the output. Returns the force that limits friction (N).
-  template <class T, class AnyContact, class AnyResponse>
-  T normal_force(const AnyContact& c, AnyResponse& out) const {
+  template <class T, class AnyContact, class AnyOutput>
+  T normal_force(const AnyContact& c, AnyOutput& out) const {
     NormalSpring<T> spring;
     if constexpr (kind == Normal::overlap)
       spring = {T(this->normal_stiffness) * c.overlap, T(this->normal_stiffness),
@@ -213,9 +213,9 @@ struct Kernel : Parameters {
   //   |k_t D_t| <= μ f_n [M11];  |k_t D_t + γ_t D_t′| <= μ f_n
   // trial: elongation after the step without slip (m); rate: D_t′ (m/s); f_n (N).
   // Stores elongation and state of the spring, and returns k_t D_t + γ_t D_t′ (N).
-  template <class T, class AnyHistory, class AnyResponse>
+  template <class T, class AnyHistory, class AnyOutput>
   T slide_or_stick_in_plane(const T& trial, const T& rate, const T& f_n, const T& onset_weight, AnyHistory& h,
-                            AnyResponse& out) const {
+                            AnyOutput& out) const {
     const T old = h.spring, limit = T(this->friction) * f_n;
     const T longest = limit * T(this->inverse_tangential_stiffness);
     h.spring = std::max(-longest, std::min(trial, longest));

@@ -70,8 +70,8 @@ struct Frictionless : SpherePathIndependent {
   }
 
  protected:
-  template <class AnyContact, class AnyResponse>
-  auto normal_force(const AnyContact& c, AnyResponse& out) const {
+  template <class AnyContact, class AnyOutput>
+  auto normal_force(const AnyContact& c, AnyOutput& out) const {
     if constexpr (kind == Normal::hertz)
       return hertz.force(c, out);
     else

@@ -89,7 +89,7 @@ def without_dynamics(scree, folder, overrides, increments):
     verb = ["quasi-static", SCENARIO, "--increments", str(increments)]
     call(scree, verb, out, overrides)
     rows = read(os.path.join(out, "series", "quasi_static.csv"))[::increments]
-    return Load(f"{increments}", rows, record(out, "quasi_static.json")["wall"]["all"] / cycles_of(overrides))
+    return Load(f"{increments}", rows, record(out, "quasi_static.json")["wall_s"]["all"] / cycles_of(overrides))
 
 
 def draw(axes, methods, exact, value, title, unit):

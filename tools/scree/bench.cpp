@@ -7,8 +7,8 @@
 
 #include <scree/error.hpp>
 #include <scree/median.hpp>
-#include <scree/run/drive.hpp>
 #include <scree/run/set_up.hpp>
+#include <scree/run/stage_loop.hpp>
 
 namespace scree::tool {
 

@@ -85,9 +85,8 @@ class ConditionValues {
 };
 
 // Kinetic energy of the bodies that bear load over elastic energy; infinite without elastic energy. A body
-// with one contact, which rolls or slides on, counts by its velocity along the normal alone, and one on which
-// nothing acts, which flies on for ever, not at all; unless no body has two contacts: then all count whole.
-// Walls count.
+// with one contact, which may roll on for ever, counts by its velocity along the normal alone. A body without
+// contacts does not count. If no body has two contacts, all count with their whole energy. Walls count.
 double kinetic_over_elastic(const Simulation& simulation);
 
 // Which few bodies hold nearly all of the kinetic energy and how they move, with a cure: "6 bodies hold 99.9

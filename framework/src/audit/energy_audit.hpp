@@ -17,8 +17,9 @@ class EnergyAudit {
   // Sets the energy stored in contacts and potentials without advancing time: at the start, or when a stage
   // changes parameters; a jump then counts as work.
   void set_stored(const ContactSums& contacts, const BodySums& bodies);
-  // Counts what springs lose in an evaluation without a motion, since their law has new parameters, as
-  // dissipated in place of work. Called after set_stored(), or before start().
+  // After a change of parameters springs may lose energy although nothing moves. Counts this loss as
+  // dissipated and adds as much work, so that the residual stays the same. Called after set_stored(), or
+  // before start().
   void add_lost(const ContactSums& contacts);
   // The same for the energy (J) of springs that are left out.
   void add_released(double energy);

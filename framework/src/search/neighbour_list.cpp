@@ -14,7 +14,8 @@ namespace scree {
 
 namespace {
 
-// Least skin, in reaches of planes that try displacements: a list must last for more than one step.
+// Smallest skin, as a multiple of the distance by which a step may try to displace a plane: a list must last
+// for more than one step.
 constexpr double least_reaches = 8;
 
 // Folds the position of a body into the periodic domain and counts the periods crossed.

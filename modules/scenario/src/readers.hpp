@@ -27,8 +27,8 @@
 #include <scree/scene.hpp>
 #include <scree/stage.hpp>
 
-// The readers of the tables of a scenario, each in the source that has its name. All throw Error at the wrong
-// key.
+// The readers of the tables of a scenario; above those of a source stands its name. All throw Error at the
+// wrong key.
 namespace scree::scenario {
 
 // Does work whose errors then name the position of the key in the file, or of the table if it has no such

@@ -98,15 +98,16 @@ inline FallingSlip<D, T> slide_or_stick(const FallingLimit<D, T>& in) {
                                                           step.sliding_limit, step.stretching});
   const bool sticks = !slip.slides;  // also where the spring has fallen and not slipped after that
   slip.slides = begin.begins | !sticks;
-  const T part = (begin.begins & in.moving) ? T(0.5) - begin.theta : T(0);
-  const T limit_then = step.stiffness * begin.longest, moving_then = in.ratio * limit_then;
+  const T before_middle = (begin.begins & in.moving) ? T(0.5) - begin.theta : T(0);
+  const T limit_then = step.stiffness * begin.longest, sliding_limit_then = in.ratio * limit_then;
   const T excess = std::min(length_of(slip.spring).value - longest, T(0));
   if constexpr (!damped)
-    return {slip, (part * (limit_then - moving_then)) * begin.direction, sticks ? excess : T(1)};
+    return {slip, (before_middle * (limit_then - sliding_limit_then)) * begin.direction,
+            sticks ? excess : T(1)};
 
   const Vec<D, T> dashpot = (step.stiffness * step.delay) * step.velocity;
-  const Vec<D, T> jump =
-      detail::jump_of(begin.direction, limit_then, in.ratio, sticks ? limit_then : moving_then, dashpot);
+  const Vec<D, T> jump = detail::jump_of(begin.direction, limit_then, in.ratio,
+                                         sticks ? limit_then : sliding_limit_then, dashpot);
   const T slipped = length_of(fallen).value - step.sliding_limit * step.inverse_stiffness;  // S
   const T over = std::min(slipped - in.state_before, -smallest_divisor<T>);
   const T late = (begin.slid & in.moving) ? slipped / over : T(0);  // u, where slip has ended
@@ -114,7 +115,7 @@ inline FallingSlip<D, T> slide_or_stick(const FallingLimit<D, T>& in) {
   const Vec<D, T> held = detail::limited(whole, in.static_limit);
   const Vec<D, T> stuck = fused(late, held - detail::limited(whole, step.sliding_limit), held);
   for (int k = 0; k < D; ++k) slip.force[k] = sticks ? -stuck[k] : slip.force[k];
-  return {slip, part * jump, sticks ? excess : std::max(slipped, smallest_divisor<T>)};
+  return {slip, before_middle * jump, sticks ? excess : std::max(slipped, smallest_divisor<T>)};
 }
 
 }  // namespace scree

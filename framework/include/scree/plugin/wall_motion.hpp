@@ -9,7 +9,7 @@ namespace scree {
 // Motion of one wall along one direction, such as its normal: x = s + d.
 //
 //   pressed:  m s" = F + P − γ s',  d: the superposed displacement, if any
-//   servo:    s in a step is that of several displacements which brings −F nearest to P
+//   servo:    each step tries several displacements s and takes the one with −F nearest to P
 //   massless: F + P = 0             s' is limited in both
 //   others:   s is constant,        d: from a displacement, a velocity or, by the caller, a strain rate
 //
@@ -19,6 +19,7 @@ namespace scree {
 // walls do the work −F x', and their speed at the end of a step is displacement / step: a first-order error
 // where contacts are damped.
 struct WallMotion {
+  // pressed: what users call control = "stress" or "force".
   enum Control { pressed, fixed, displaced, at_velocity, strained, servo, massless };
 
   int control = fixed;

@@ -120,14 +120,14 @@ class OneBackground {
 };
 
 // The most likely place with one background, and the evidence for this background.
-struct Peak {
+struct LikeliestPlace {
   OneBackground background;
   Place place{};
   Eigen::Matrix2d spread{};  // in frequency and logarithm of the width; its square is the covariance
   double log_evidence = 0;
 };
 
-bool climb(Peak& peak, const Pole& start) {
+bool climb(LikeliestPlace& peak, const Pole& start) {
   constexpr int most_steps = 30;
   constexpr double at_rest = 1e-4;  // standard deviations
   Place& place = peak.place = peak.background.at(start.frequency, start.width);
@@ -194,7 +194,7 @@ class Moments {
   Complex height_ = 0;
 };
 
-void add_grid(const Peak& peak, const Pole& start, Moments& moments) {
+void add_grid(const LikeliestPlace& peak, const Pole& start, Moments& moments) {
   for (int i = -steps_of_grid; i <= steps_of_grid; ++i)
     for (int j = -steps_of_grid; j <= steps_of_grid; ++j) {
       const Eigen::Vector2d step =
@@ -219,21 +219,23 @@ std::optional<ModeEstimate> estimate_mode(const ResponseSpectrum& response, cons
   std::vector<ModeBackground> backgrounds;
   for (const double width : background_widths)
     backgrounds.emplace_back(columns.frequencies(), columns.factors(pole.frequency), width * pole.width);
-  std::vector<Peak> peaks;
+  std::vector<LikeliestPlace> peaks;
   const auto add = [&](const ModeBackground& background, double noise, double prior) {
-    Peak peak{OneBackground(columns, background, noise, beside, prior)};
+    LikeliestPlace peak{OneBackground(columns, background, noise, beside, prior)};
     if (climb(peak, pole)) peaks.push_back(std::move(peak));
   };
   add(backgrounds.front(), no_background, prior_of_noise);
   for (const ModeBackground& background : backgrounds)
     for (const double noise : noises) add(background, noise, 1);
   if (peaks.empty()) return {};
-  const auto likelier = [](const Peak& a, const Peak& b) { return a.log_evidence < b.log_evidence; };
-  const Peak& best = *std::max_element(peaks.begin(), peaks.end(), likelier);
+  const auto likelier = [](const LikeliestPlace& a, const LikeliestPlace& b) {
+    return a.log_evidence < b.log_evidence;
+  };
+  const LikeliestPlace& best = *std::max_element(peaks.begin(), peaks.end(), likelier);
   ModeEstimate estimate;
   estimate.criterion = std::numeric_limits<double>::infinity();
   Moments moments(best.place, best.log_evidence);
-  for (const Peak& peak : peaks) {
+  for (const LikeliestPlace& peak : peaks) {
     estimate.criterion = std::min(estimate.criterion, peak.background.criterion(peak.place));
     if (peak.log_evidence > best.log_evidence - negligible) add_grid(peak, pole, moments);
   }

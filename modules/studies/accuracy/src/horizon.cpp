@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <scree/run/drive.hpp>
 #include <scree/run/run_in_memory.hpp>
 #include <scree/run/set_up.hpp>
+#include <scree/run/stage_loop.hpp>
 
 namespace scree::accuracy {
 

@@ -15,9 +15,9 @@
 #include <scree/modes/vibration.hpp>
 #include <scree/pictures/load_backend.hpp>
 #include <scree/response/rest.hpp>
-#include <scree/run/drive.hpp>
 #include <scree/run/session.hpp>
 #include <scree/run/set_up.hpp>
+#include <scree/run/stage_loop.hpp>
 
 namespace scree::modes {
 

@@ -178,7 +178,7 @@ Json record_of(const Vibration& v) {
   json["complete"] = v.complete;
   json["modes"] = json_of_modes(v);
   if (v.elastic) json["elastic"] = json_of(*v.elastic);
-  for (const auto& [what, wall] : v.seconds) json["wall"][what] = wall;
+  for (const auto& [what, wall] : v.seconds) json["wall_s"][what] = wall;
   json["pictures"] = v.pictures;
   json["expect"] = Json::array();
   return json;

@@ -5,8 +5,8 @@
 
 #include <scree/error.hpp>
 #include <scree/response/linear_system.hpp>
-#include <scree/run/drive.hpp>
 #include <scree/run/set_up.hpp>
+#include <scree/run/stage_loop.hpp>
 #include <scree/stage.hpp>
 #include <scree/state_file/state_file.hpp>
 

@@ -29,7 +29,7 @@ Json record_of(const FollowedLoad& load) {
   json["dynamic_steps"] = load.dynamic_steps;
   json["hand_overs"] = Json::array();
   for (const HandOver& h : load.hand_overs) json["hand_overs"].push_back({{"from", h.from}, {"to", h.to}});
-  json["wall"] = {{"all", load.wall_time}, {"dynamic", load.dynamic_wall_time}};
+  json["wall_s"] = {{"all", load.wall_time}, {"dynamic", load.dynamic_wall_time}};
   return json;
 }
 

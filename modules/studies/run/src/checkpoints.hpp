@@ -34,8 +34,8 @@ class Checkpoints {
   };
   // Why a run cannot go on from a state; nothing if it can.
   using Refusal = std::function<std::optional<std::string>(const Latest&)>;
-  // The state after the most steps that can be read and is not refused; those that are passed over for it are
-  // reported. Nothing if there is no file of a state. Throws Error if there is none that can be used.
+  // The latest state that can be read and is accepted. Reports each later state that it skips. Nothing if
+  // there is no file of a state. Throws Error if there is none that can be used.
   std::optional<Latest> latest(const Refusal& refusal,
                                const std::function<void(const std::string&)>& report) const;
   // The state at the end of a stage. Throws Error if there is none that can be used.

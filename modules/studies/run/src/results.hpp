@@ -52,7 +52,8 @@ class Results {
   double wall_time_before_ = 0, output_before_ = 0;  // (s) until the state from which the run goes on
 };
 
-// What a run that goes on takes from the run.json of its directory; as here if that cannot be read.
+// What a run that goes on takes from the run.json of its directory; the defaults below if the file cannot be
+// read.
 struct Recorded {
   std::string status;
   double wall_time = 0, output = 0, state_output = 0;  // (s)

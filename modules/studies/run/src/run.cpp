@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include <scree/files/try_each.hpp>
-#include <scree/run/drive.hpp>
 #include <scree/run/set_up.hpp>
+#include <scree/run/stage_loop.hpp>
 #include <scree/run/step_check.hpp>
 #include <scree/run/warnings.hpp>
 
@@ -116,13 +116,13 @@ std::string Run::run_stages() {
 }
 
 std::string Run::drive_stages() {
-  if (!runner_) return drive(runner_.emplace(*simulation_, plan_.stages, unowned(sampler_)), *this);
+  if (!runner_) return run_with_hooks(runner_.emplace(*simulation_, plan_.stages, unowned(sampler_)), *this);
   if (runner_->finished()) return plan_.stages.back().name;  // killed after its last state
   const std::uint64_t steps = runner_->steps();
   const std::string stage = plan_.stages[runner_->current()].name;
-  return drive(*runner_, *this,
-               std::min({sampler_.next(*simulation_, stage, steps), pictures_.next(*simulation_, steps),
-                         states_.next(steps)}));
+  return run_with_hooks(*runner_, *this,
+                        std::min({sampler_.next(*simulation_, stage, steps),
+                                  pictures_.next(*simulation_, steps), states_.next(steps)}));
 }
 
 void Run::write_last_state(bool complete) {

@@ -33,7 +33,7 @@ class Run : public Study {
 
   RunResult result() const { return results_.result(); }
 
-  // Hooks of drive().
+  // Hooks of run_with_hooks().
   void begin(const std::string& stage);
   std::uint64_t observe(const std::string& stage, std::uint64_t steps);
   bool proceed(const StageRunner& runner);

@@ -4,9 +4,9 @@
 #include <chrono>
 #include <cmath>
 
-#include <scree/run/drive.hpp>
 #include <scree/run/run_in_memory.hpp>
 #include <scree/run/set_up.hpp>
+#include <scree/run/stage_loop.hpp>
 #include <scree/run/step_check.hpp>
 #include <scree/run/verdict.hpp>
 #include <scree/scenario/quantities.hpp>
@@ -74,7 +74,8 @@ InMemoryRun run_in_memory(const scenario::Plan& plan, const InMemoryOptions& opt
   // Half a step earlier, so that rounding does not add a step.
   const double end = options.until - 0.5 * plan.scene.step;
   const auto start = Clock::now();
-  const std::string last = drive(runner, InMemoryHooks{plan, options, *simulation, sampler, run, end});
+  const std::string last =
+      run_with_hooks(runner, InMemoryHooks{plan, options, *simulation, sampler, run, end});
   run.wall_time = std::chrono::duration<double>(Clock::now() - start).count();
   sampler.sample_last(*simulation, last);
   run.steps = simulation->steps();

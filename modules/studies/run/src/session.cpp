@@ -10,8 +10,8 @@
 #include <scree/files/place_error.hpp>
 #include <scree/files/text.hpp>
 #include <scree/files/try_each.hpp>
-#include <scree/run/drive.hpp>
 #include <scree/run/session.hpp>
+#include <scree/run/stage_loop.hpp>
 #include <scree/state_error.hpp>
 #include <scree/state_file/state_file.hpp>
 

@@ -13,7 +13,7 @@ namespace scree::spectrum {
 // A displacement of the driven wall as a function of time, in the form of program.hpp.
 using Wave = std::vector<double>;
 
-// The parameters of a scene with the wave for its driven wall.
+// Gives the driven wall of a scene the wave as its displacement.
 void set_wave(Scene& scene, const SpectrumPlan& plan, const Wave& wave);
 
 // The same for a simulation between two steps; the wave begins now.

@@ -70,7 +70,7 @@ void note_uncertain(const std::vector<response::HarmonicResponse>& responses, do
                                       [](const auto& a, const auto& b) { return a.error < b.error; });
   if (worst == responses.end() || worst->error <= tolerance) return;
   spectrum.notes.push_back(fmt::format(
-      "linear: at {:g} Hz the solution has an error of about {:.2g} of itself, above linear.tolerance = {:g}, since a mode without "
+      "linear: at {:g} Hz the solution has an error of about {:.2g} of itself, above spectrum.linear.tolerance = {:g}, since a mode without "
       "damping is near, or bodies with too few contacts move freely; add damping, or give a larger linear.fewest_contacts",
       worst->frequency_hz, worst->error, tolerance));
 }

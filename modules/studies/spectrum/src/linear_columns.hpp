@@ -34,7 +34,7 @@ class DisplacedView {
 
  private:
   using Complex = std::complex<double>;
-  // turn: the share with its phase; both displacement and velocity are real parts of what it gives.
+  // turn: complex factor of the amplitudes; displacements and velocities are the real parts of the products.
   void displace_bodies(const response::HarmonicResponse& motion, Complex turn, Complex to_velocity);
   void displace_walls(const response::HarmonicResponse& motion, Complex turn,
                       const response::HarmonicRates& rates);

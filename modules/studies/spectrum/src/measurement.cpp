@@ -9,8 +9,8 @@
 
 #include <scree/branching.hpp>
 #include <scree/error.hpp>
-#include <scree/run/drive.hpp>
 #include <scree/run/set_up.hpp>
+#include <scree/run/stage_loop.hpp>
 
 namespace scree::spectrum {
 

@@ -121,7 +121,7 @@ Json record_of(const Measurement& m) {
     json["methods"].push_back({{"method", spectrum.method},
                                {"frequencies", spectrum.frequencies.size()},
                                {"steps", spectrum.steps},
-                               {"wall", spectrum.wall_time},
+                               {"wall_s", spectrum.wall_time},
                                {"notes", spectrum.notes}});
   json["peaks"] = peaks_of(m);
   json["expect"] = run::json_of(m.verdicts);

@@ -5,8 +5,8 @@
 #include <scree/branching.hpp>
 #include <scree/error.hpp>
 #include <scree/files/place_error.hpp>
-#include <scree/run/drive.hpp>
 #include <scree/run/set_up.hpp>
+#include <scree/run/stage_loop.hpp>
 #include <scree/run/unfinished.hpp>
 #include <scree/state_transfer.hpp>
 

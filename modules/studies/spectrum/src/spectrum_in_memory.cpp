@@ -6,8 +6,8 @@
 #include <chrono>
 
 #include <scree/error.hpp>
-#include <scree/run/drive.hpp>
 #include <scree/run/set_up.hpp>
+#include <scree/run/stage_loop.hpp>
 #include <scree/scenario/drive_sampling.hpp>
 #include <scree/spectrum/spectrum_in_memory.hpp>
 

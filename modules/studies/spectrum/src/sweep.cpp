@@ -250,7 +250,7 @@ MethodSpectrum Sweep::spectrum_of(const char* name, std::size_t first, std::size
   if (unsteady)
     spectrum.notes.push_back(fmt::format(
         "{}: at {} of {} the response was not steady after {:g} periods{}; give a larger "
-        "sweep.tolerance or more sweep.periods",
+        "spectrum.sweep.tolerance or more spectrum.sweep.periods",
         name, unsteady, counted(points.size(), "frequency", "frequencies"),
         (plan.sweep.adaptive ? longest : 1) * plan.sweep.periods,
         plan.sweep.adaptive ? "" : ", since that of the second half of the analysed periods is another one"));

@@ -210,7 +210,7 @@ TEST_CASE("a sweep whose periods are too few for a steady response says so", "[s
       notes("sweep.periods = 10\nsweep.analysed_periods = 6\nsweep.rise_periods = 2\n");
   REQUIRE(few.size() == 1);
   CHECK(few[0].starts_with("sweep: at 2 of 2 frequencies the response was not steady after 10 periods"));
-  CHECK(few[0].ends_with("; give a larger sweep.tolerance or more sweep.periods"));
+  CHECK(few[0].ends_with("; give a larger spectrum.sweep.tolerance or more spectrum.sweep.periods"));
 }
 
 TEST_CASE("an interrupted sweep goes on to the same table", "[spectrum]") {

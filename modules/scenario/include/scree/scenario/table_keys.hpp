@@ -14,7 +14,7 @@ namespace scree::scenario {
 using document::Range;
 
 // A key of a table: its name for the readers, and the range of its value. Keys are declared once, in the
-// headers *_keys.hpp, and read with the functions below.
+// headers *_keys.hpp or, of a study, beside the reader of its table, and read with the functions below.
 struct Key {
   std::string name;
   document::Range range = document::Range::any();

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <scree/run/drive.hpp>
+#include <scree/run/stage_loop.hpp>
 
 namespace scree::run {
 

@@ -21,7 +21,8 @@ namespace scree::run {
 //   between(runner)          before steps and after the last, when nothing is under way: a state saved here
 //                            goes on as if the run had not stopped
 template <class Hooks>
-std::string drive(StageRunner& runner, Hooks&& hooks, std::optional<std::uint64_t> resumed_next = {}) {
+std::string run_with_hooks(StageRunner& runner, Hooks&& hooks,
+                           std::optional<std::uint64_t> resumed_next = {}) {
   std::size_t stage = runner.current();
   std::uint64_t steps = 0, next = 0;
   const auto name = [&] { return runner.stages()[stage].name; };
