@@ -150,42 +150,44 @@ std::vector<std::uint32_t> bodies_of_group(const document::Table& group, const s
 
 const Key* const probe_selections[] = {&probe_keys.groups, &probe_keys.leave_out};
 
-// The names of groups that probes count or leave out.
-std::vector<std::string> groups_of_probes(const document::Table& root) {
-  std::vector<std::string> names;
-  for (const document::Table& probe : root.tables("probe"))
-    for (const Key* key : probe_selections)
-      if (probe.optional(*key))
-        for (const std::string& name : probe.strings(*key)) names.push_back(name);
+// The names of groups that a key of a probe gives; `known`: of all groups.
+std::vector<std::string> read_group_names(const document::Table& probe, const Key& key,
+                                          const std::vector<std::string>& known) {
+  const std::vector<std::string> names = probe.strings(key);
+  if (names.empty()) throw probe.error(key, "no group is named", "name one, or remove " + key.name);
+  for (std::size_t k = 0; k < names.size(); ++k) find_name(probe, key, "group", names[k], known, k);
   return names;
 }
 
-// Whether each body is in one of the groups that a key of a probe names.
-std::vector<bool> selected_by(const document::Table& root, const document::Table& probe, const Key& key,
-                              const Scene& scene) {
-  std::vector<std::string> known;
+// The names of groups that probes count or leave out.
+std::vector<std::string> groups_of_probes(const document::Table& root) {
+  std::vector<std::string> known, all;
   for (const document::Table& group : root.tables("group")) known.push_back(read(group, group_keys.name));
-  const std::vector<std::string> names = probe.strings(key);
-  if (names.empty()) throw probe.error(key, "no group is named", "name one, or remove " + key.name);
+  for (const document::Table& probe : root.tables("probe"))
+    for (const Key* key : probe_selections)
+      if (probe.optional(*key))
+        for (const std::string& name : read_group_names(probe, *key, known)) all.push_back(name);
+  return all;
+}
+
+// Whether each body is in one of the groups that a key of a probe names.
+std::vector<bool> selected_by(const document::Table& probe, const Key& key, const Scene& scene) {
   std::vector<bool> selected(scene.bodies.size(), false);
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    find_name(probe, key, "group", names[k], known, k);
+  for (const std::string& name : probe.strings(key))
     for (const BodySelection& selection : scene.selections)
-      if (selection.name == names[k])
+      if (selection.name == name)
         for (const std::uint32_t i : selection.bodies) selected[i] = true;
-  }
   return selected;
 }
 
 }  // namespace
 
-std::vector<std::uint8_t> read_left_out(const document::Table& root, const document::Table& probe,
-                                        const Scene& scene) {
+std::vector<std::uint8_t> read_left_out(const document::Table& probe, const Scene& scene) {
   if (!probe.optional(probe_keys.groups) && !probe.optional(probe_keys.leave_out)) return {};
   std::vector<std::uint8_t> left_out(scene.bodies.size(), 0);
   const auto leave_out = [&](const Key& key, bool which) {
     if (!probe.optional(key)) return;
-    const std::vector<bool> selected = selected_by(root, probe, key, scene);
+    const std::vector<bool> selected = selected_by(probe, key, scene);
     for (std::size_t i = 0; i < left_out.size(); ++i) left_out[i] |= selected[i] == which;
   };
   leave_out(probe_keys.groups, false);

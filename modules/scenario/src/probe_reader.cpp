@@ -138,12 +138,12 @@ void read_observation(const document::Table& t, const Scene& scene, ProbePlan& p
   plan.observe_every = read_interval(t, probe_keys.observe_every, scene.step);
 }
 
-void read_probe(const document::Table& root, ProbeDraft& draft, const std::vector<ProbeDraft>& drafts,
-                const Scene& scene, const std::vector<std::string>& stages) {
+void read_probe(ProbeDraft& draft, const std::vector<ProbeDraft>& drafts, const Scene& scene,
+                const std::vector<std::string>& stages) {
   const document::Table& t = draft.table;
   ProbePlan& plan = draft.plan;
   read_parameters(t, scene.dimension, plan.parameters);
-  plan.left_out = read_left_out(root, t, scene);
+  plan.left_out = read_left_out(t, scene);
   // Without stages there is no run, and no time between samples.
   if (!stages.empty() || t.optional(probe_keys.every))
     plan.every = read_interval(t, probe_keys.every, scene.step);
@@ -181,7 +181,7 @@ std::vector<ProbePlan> read_probes(const document::Table& root, const Scene& sce
     unique.add(t, names.back());
   }
   for (ProbeDraft& draft : drafts) find_inputs(draft, names);
-  for (const std::size_t k : reading_order(drafts)) read_probe(root, drafts[k], drafts, scene, stage_names);
+  for (const std::size_t k : reading_order(drafts)) read_probe(drafts[k], drafts, scene, stage_names);
   std::vector<ProbePlan> probes;
   for (ProbeDraft& draft : drafts) probes.push_back(std::move(draft.plan));
   return probes;

@@ -162,8 +162,7 @@ ReadBodies read_bodies(const document::Table& root, int dimension, const std::ve
 // its bodies.
 void read_groups(const document::Table& root, const std::vector<BodySource>& sources, Scene& scene);
 // For a [[probe]]: 1 for the bodies that its keys `groups` and `leave_out` exclude; empty without these keys.
-std::vector<std::uint8_t> read_left_out(const document::Table& root, const document::Table& probe,
-                                        const Scene& scene);
+std::vector<std::uint8_t> read_left_out(const document::Table& probe, const Scene& scene);
 
 // group_motion_reader.cpp
 

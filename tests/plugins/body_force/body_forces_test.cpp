@@ -82,7 +82,8 @@ TEST_CASE("gravity: components that are functions of time accelerate every body 
   CHECK(coarse[0] < 2e-4);
   CHECK(coarse[1] < 2e-4);
   CHECK(coarse[2] < 1e-1);
-  for (std::size_t k = 0; k < 3; ++k) CHECK(std::log2(coarse[k] / fine[k]) == Approx(2).margin(0.2));
+  for (std::size_t k = 0; k < 2; ++k) CHECK(std::log2(coarse[k] / fine[k]) == Approx(2).margin(0.2));
+  CHECK(std::log2(coarse[2] / fine[2]) > 1.8);
 }
 
 TEST_CASE("gravity: in two dimensions there is no acceleration along z", "[gravity]") {
@@ -105,7 +106,7 @@ TEST_CASE("gravity: the balance closes to second order where g has corners and j
                     {"acceleration_x", {4, 0, 3, 0.1 / 3, 3, jump, 9, jump + 1e-9, -20, 0.2 / 3, 5, 1, 5}}});
     Simulation s(sc);
     run(s, std::uint64_t(std::llround(0.1 / step)));
-    CHECK(std::abs(s.energy().work) > 100);  // 2 kg × 29 m/s² × 5 m at the jump
+    CHECK(s.energy().work == Approx(-2 * (5 - 3) * 5).epsilon(0.2));  // it moves by less than 0.2 m
     return std::abs(s.energy().residual);
   };
   // m h²/8 of the change of g² and m h²/4 times g and the jump: with a factor of 5, m h² × 29 m/s² × 20 m/s².

@@ -32,6 +32,6 @@ TEST_CASE("a time step too long for the contacts is refused before anything is w
 TEST_CASE("a time step is described by the shortest contact and the longest stable step", "[run]") {
   CHECK_THAT(
       describe_step(*set_up(plan_of(discs))),
-      Catch::Matches("time step 1e-05 s, [0-9.]+ steps in the shortest contact, 0\\.[0-9]+ of the longest "
+      Catch::Matches("time step 1e-05 s, [0-9.e+]+ steps in the shortest contact, 0\\.[0-9]+ of the longest "
                      "stable step"));
 }
