@@ -1,3 +1,4 @@
+#include "sanitized.hpp"
 #include "scenes.hpp"
 
 #include <cmath>
@@ -59,7 +60,7 @@ TEST_CASE("scenes of several tiles have the same bits for any number of threads"
     std::vector<std::uint64_t> hashes;
     for (const unsigned threads : {1u, 2u, 3u, 5u}) {
       Simulation s(crowd(dimension, per_axis(dimension), threads));
-      scree::test::run(s, 40);
+      scree::test::run(s, scree::test::fewer_if_sanitized(40));
       hashes.push_back(s.state_hash());
     }
     for (const std::uint64_t hash : hashes) CHECK(hash == hashes[0]);
@@ -72,7 +73,7 @@ TEST_CASE("scenes of many tiles have the same bits for any number of threads", "
     std::vector<std::uint64_t> hashes;
     for (const unsigned threads : {1u, 2u, 2u, 2u}) {
       Simulation s(crowd(2, 129, threads, at_random));
-      scree::test::run(s, 20);
+      scree::test::run(s, scree::test::fewer_if_sanitized(20));
       hashes.push_back(s.state_hash());
     }
     for (const std::uint64_t hash : hashes) CHECK(hash == hashes[0]);
