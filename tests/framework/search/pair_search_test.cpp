@@ -113,7 +113,7 @@ std::size_t check(int dimension, const std::vector<Body>& bodies, const Domain& 
   return expected.size();
 }
 
-Domain periodic(std::array<bool, 3> axes, double low, double high) {
+Domain periodic_along(std::array<bool, 3> axes, double low, double high) {
   return {axes, {{low, low, low}}, {{high, high, high}}};
 }
 
@@ -147,7 +147,7 @@ TEST_CASE("neighbours equal those of brute force, for all kinds of packings, siz
   for (const std::array<bool, 3> axes :
        {std::array{false, false, false}, std::array{true, false, false}, std::array{false, true, false},
         std::array{true, true, dimension == 3}})
-    found += check(dimension, bodies, periodic(axes, low, high), skin);
+    found += check(dimension, bodies, periodic_along(axes, low, high), skin);
   CHECK(found > 0);
 }
 
@@ -166,7 +166,7 @@ TEST_CASE("few bodies in any number of cells, also across a periodic face", "[th
       const double edge = dealer.between(4.2, 17), skin = 0.1;
       const std::vector<Body> bodies = dealer.uniform(2 + seed % 9, {0.5, 1}, 0, edge);
       check(dimension, bodies, {}, skin);
-      check(dimension, bodies, periodic({true, true, dimension == 3}, 0, edge), skin);
+      check(dimension, bodies, periodic_along({true, true, dimension == 3}, 0, edge), skin);
     }
 }
 
@@ -178,8 +178,8 @@ TEST_CASE("bodies on the faces of a periodic domain are paired with their images
     for (const double y : coordinates)
       bodies.push_back(scree::test::body(std::int64_t(bodies.size()), 1, 1, {{x, y, 5}}));
   // All 16 lie around one corner: every pair is a neighbour.
-  CHECK(check(2, bodies, periodic({true, true, false}, 0, edge), 0.1) == 16 * 15 / 2);
-  CHECK(check(3, bodies, periodic({true, true, true}, 0, edge), 0.1) == 16 * 15 / 2);
+  CHECK(check(2, bodies, periodic_along({true, true, false}, 0, edge), 0.1) == 16 * 15 / 2);
+  CHECK(check(3, bodies, periodic_along({true, true, true}, 0, edge), 0.1) == 16 * 15 / 2);
 }
 
 TEST_CASE("distant heaps and scattered bodies share cells and still have the right neighbours", "[threads]") {
@@ -246,9 +246,9 @@ TEST_CASE("a periodic length under twice the largest reach is refused") {
     PairSearch().find(spheres_of(bodies), dimension, domain, skin, threads);
   };
   for (const int dimension : {2, 3}) {
-    CHECK_NOTHROW(find(dimension, periodic({true, false, false}, 0, shortest)));
+    CHECK_NOTHROW(find(dimension, periodic_along({true, false, false}, 0, shortest)));
     try {
-      find(dimension, periodic({false, true, false}, 0, std::nextafter(shortest, 0.0)));
+      find(dimension, periodic_along({false, true, false}, 0, std::nextafter(shortest, 0.0)));
       FAIL("not refused");
     } catch (const scree::Error& error) {
       CHECK(error.status() == scree::ExitStatus::bad_input);
@@ -261,7 +261,7 @@ TEST_CASE("in a short period the nearest image of each pair is found") {
   const int dimension = GENERATE(2, 3);
   Dealer dealer(dimension, 11);
   const double high = GENERATE(0.7, 1.9, 3.1, 5.0), skin = 0.1;
-  const Domain domain = periodic({true, true, dimension == 3}, 0, high);
+  const Domain domain = periodic_along({true, true, dimension == 3}, 0, high);
   const std::vector<Body> bodies = dealer.uniform(60, {0.02, 1}, 0, high);
   std::vector<NeighbourPair> nearest;
   for (const NeighbourPair& pair : brute_force(dimension, bodies, domain, skin)) {
