@@ -44,8 +44,13 @@ struct MeanSquaredDisplacementProbe {
 
   std::string start(const scree_view& view, double* state) const {
     const std::string missing = bodies.find(view, state + 5 + 3 * count(view));
-    if (missing.empty()) begin_window(view, state);
-    return missing.empty() ? bodies.repeated() : missing;
+    if (!missing.empty()) return missing;
+    for (std::uint64_t k = 0; k < bodies.size(); ++k)
+      if (!scree::counts(view, bodies.index(view, state + 5 + 3 * count(view), k)))
+        return "body " + std::to_string(bodies.id(k)) +
+               " of ids is one that groups and leave_out do not count; remove its id";
+    begin_window(view, state);
+    return bodies.repeated();
   }
 
   void observe(const scree_view& view, double* state) const {

@@ -65,6 +65,8 @@ class StageRunner {
   // Completed fraction of the run, 0 to 1, by simulated time; absent while this stage or a later one ends by
   // a condition, as its length is unknown.
   std::optional<double> progress() const;
+  // Whether step() or run() has thrown since the stage after this one cannot begin.
+  bool next_is_refused() const { return next_is_refused_; }
   // How the stage before this one ended, or the last one if all have.
   StageEnd last_end() const { return last_end_; }
   // The values of this stage's conditions at their last test, "kinetic_over_elastic = 0.02, below 1e-06";
@@ -79,7 +81,7 @@ class StageRunner {
   void forget_values();
   void end_stage(StageEnd end);
   // Throws Error(not_reached) if the next stage cannot begin; this one then goes on to be the present one.
-  void check_next() const;
+  void check_next();
   // Takes the values of conditions that are due; false if none is.
   bool take_values();
   bool conditions_met() const;
@@ -97,6 +99,7 @@ class StageRunner {
   std::vector<ConditionValues> values_;  // of the conditions of this stage
   std::shared_ptr<StageColumns> columns_;
   StageEnd last_end_ = StageEnd::duration;
+  bool next_is_refused_ = false;
 };
 
 // Index of the stage whose parameters a saved simulation has: the current one, or the last if all had ended.

@@ -1,8 +1,10 @@
 #pragma once
 
 // Whether code is compiled for several instruction levels. Not with sanitizers: they do not support the
-// selection by the loader, and compiling the kernel takes minutes per level.
-#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+// selection by the loader, and compiling the kernel takes minutes per level. Not without optimisation:
+// vectors would be passed to functions of another level.
+#if defined(__x86_64__) && defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)
 #define SCREE_SEVERAL_LEVELS 1
 #else
 #define SCREE_SEVERAL_LEVELS 0

@@ -84,13 +84,13 @@ Problem default_problem(const scree_parameter& p) {
 std::vector<std::string_view> keys_beside(std::uint32_t kind) {
   switch (kind) {
     case SCREE_CONTACT_LAW:
-      return {"plugin", "name", "between"};
+      return {"plugin", "name", "between", "control"};
     case SCREE_BOUNDARY:
       return {"plugin", "name", "material"};
     case SCREE_PROBE:
-      return {"plugin", "name", "every", "observe_every", "stages"};
+      return {"plugin", "name", "every", "observe_every", "stages", "groups", "leave_out"};
     default:
-      return {"plugin", "name"};
+      return {"plugin", "name", "control"};
   }
 }
 

@@ -220,11 +220,6 @@ void Probe::start_once(const scree_view& view) {
 void Probe::check(const scree_view& view) const { started(view); }
 
 void Probe::check_restored(const scree_view& view) const {
-  if (!left_out_.empty() && left_out_.size() != view.body_count)
-    throw Error(fmt::format(
-        "probe {}: leaves out some of {}, and the scene has {}; take a state that scree has written "
-        "for this scene",
-        plugin_.parameters().plugin().name, counted(left_out_.size(), "body", "bodies"), view.body_count));
   if (const std::uint64_t size = size_in(view); is_started_ && state_size_ != size)
     throw Error(
         fmt::format("plug-in {}: its state has {} instead of {}; take a state that scree has written "
@@ -260,8 +255,6 @@ void Probe::transfer(const StateTransfer& state) {
   std::vector<double> kept(state_.begin(), state_.begin() + std::ptrdiff_t(state_size_));
   state.value("is_started", "", is_started_);
   state.rows("state", "1", kept, 1, stored::any);
-  if (state.restoring() ? state.has("left_out") : !left_out_.empty())
-    state.rows("left_out", "", left_out_, 1, stored::at_most(1));
   if (!state.restoring() || !is_started_) return;
   state_size_ = kept.size();
   state_ = guarded(state_size_);

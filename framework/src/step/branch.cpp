@@ -10,6 +10,7 @@
 
 #include <scree/counted.hpp>
 #include <scree/error.hpp>
+#include <scree/scene_checks.hpp>
 #include <scree/scene_record.hpp>
 
 namespace scree {
@@ -91,9 +92,9 @@ bool has_bodies_of(const State& state, const Scene& scene) {
 }  // namespace
 
 bool Branch::nothing_differs() const {
-  // Functions of time of groups begin anew.
-  return wanted_.groups.empty() && branching_.histories && branching_.walls && branching_.orientations &&
-         is_scene_of(state_, wanted_) && has_bodies_of(state_, wanted_);
+  // Functions of time of groups and body forces begin anew.
+  return wanted_.groups.empty() && !varying_body_force(wanted_) && branching_.histories && branching_.walls &&
+         branching_.orientations && is_scene_of(state_, wanted_) && has_bodies_of(state_, wanted_);
 }
 
 void Branch::take_over(Simulation& simulation, SimulationParts& parts) {

@@ -178,7 +178,6 @@ void Simulation::check_returning_walls(const std::string& name, const Parameters
                                        const std::vector<std::string>& going_on) {
   const std::vector<std::uint8_t>& absent = absent_planes();
   if (std::find(absent.begin(), absent.end(), 1) == absent.end()) return;
-  parts_->stepper.synchronise();
   parts_->check_returning_walls(name, parameters, going_on);
 }
 

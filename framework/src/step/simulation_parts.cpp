@@ -163,10 +163,11 @@ ContactSums SimulationParts::contact_sums_in(const State& state) {
 
 void SimulationParts::check_returning_walls(const std::string& name, const Parameters& parameters,
                                             const std::vector<std::string>& going_on) {
+  const bool mid_step = stepper.forces_at() == Stepper::ForcesAt::middle_of_step;
   State present;
-  boundaries.transfer(StateTransfer::saving_to(present), false);
+  boundaries.transfer(StateTransfer::saving_to(present), mid_step);
   Boundaries changed = boundaries_of(scene);
-  changed.transfer(StateTransfer::restoring_from(present), false);
+  changed.transfer(StateTransfer::restoring_from(present), mid_step);
   changed.reconfigure(name, parameters, stepper.time(), going_on);
   check_appeared(particles, changed, boundaries.absent());
 }

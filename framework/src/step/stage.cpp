@@ -188,7 +188,7 @@ bool StageRunner::over() {
   return take_values() && steps() >= steps_in(stage.until.at_least) && conditions_met();
 }
 
-void StageRunner::check_next() const {
+void StageRunner::check_next() {
   if (current_ + 1 >= stages_.size()) return;
   const Stage& next = stages_[current_ + 1];
   try {
@@ -196,6 +196,7 @@ void StageRunner::check_next() const {
       if (change.kind == SCREE_BOUNDARY)
         simulation_.check_returning_walls(change.name, change.parameters, change.going_on);
   } catch (const Error& error) {
+    next_is_refused_ = true;
     throw error.at(fmt::format("stage '{}'", next.name), ExitStatus::not_reached);
   }
 }

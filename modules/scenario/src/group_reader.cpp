@@ -170,6 +170,13 @@ std::vector<std::string> groups_of_probes(const document::Table& root) {
   return all;
 }
 
+bool are_known(const std::vector<std::string>& names, const Scene& scene) {
+  return std::all_of(names.begin(), names.end(), [&](const std::string& name) {
+    return std::any_of(scene.selections.begin(), scene.selections.end(),
+                       [&](const BodySelection& selection) { return selection.name == name; });
+  });
+}
+
 // Whether each body is in one of the groups that a key of a probe names.
 std::vector<bool> selected_by(const document::Table& probe, const Key& key, const Scene& scene) {
   std::vector<bool> selected(scene.bodies.size(), false);
@@ -183,7 +190,10 @@ std::vector<bool> selected_by(const document::Table& probe, const Key& key, cons
 }  // namespace
 
 std::vector<std::uint8_t> read_left_out(const document::Table& probe, const Scene& scene) {
-  if (!probe.optional(probe_keys.groups) && !probe.optional(probe_keys.leave_out)) return {};
+  bool any = false, known = true;
+  for (const Key* key : probe_selections)
+    if (probe.optional(*key)) any = true, known = known && are_known(probe.strings(*key), scene);
+  if (!any || !known) return {};  // unknown: of the bodies of a state that does not exist yet
   std::vector<std::uint8_t> left_out(scene.bodies.size(), 0);
   const auto leave_out = [&](const Key& key, bool which) {
     if (!probe.optional(key)) return;

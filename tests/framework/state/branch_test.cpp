@@ -69,6 +69,28 @@ TEST_CASE("a scene that begins from a state and changes nothing moves to the sam
   CHECK(branch.energy_residual() < 1e-2);
 }
 
+TEST_CASE(
+    "functions of time of body forces begin anew in a scene that begins from a state, with the balance") {
+  Scene scene = heap(3, false);
+  scree::test::add_body_force(scene, "gravity",
+                              {{"acceleration", {0, 0, 0}}, {"acceleration_x", {3, 0, 50, 0.1}}}, "pull");
+  Simulation first(scene);
+  scree::test::run(first, steps_of_heap);
+  const State state = first.state();
+  Simulation branch(scene_from(state, scene), state, Branching());
+  // The force at the start is that of g(0) = 0.
+  const Scene without = [&] {
+    Scene s = scene_from(state, scene);
+    s.body_forces.pop_back();
+    return s;
+  }();
+  const Simulation still(without, state, Branching());
+  for (std::size_t i = 0; i < without.bodies.size(); ++i)
+    CHECK(branch.particles().force()[0][i] == still.particles().force()[0][i]);
+  scree::test::run(branch, steps_of_heap);
+  CHECK(branch.energy_residual() < 1e-2);
+}
+
 TEST_CASE("a scene that begins from a state and changes a law moves as after a stage that does") {
   Scene scene = heap(3, false);
   Simulation first(scene);

@@ -34,11 +34,12 @@ inline double wall_height(std::span<const scree_plane> walls, int axis, int sign
   return wall < 0 ? std::numeric_limits<double>::quiet_NaN() : walls[std::size_t(wall)].point[axis];
 }
 
-// Force (N) with which contacts press on a wall across an axis that has them at both ends, above 0 in
-// compression: the mean of the two, or of the one that is there.
+// Force (N) with which contacts press on a wall across an axis, above 0 in compression: the mean of the walls
+// at both ends, or of the one that is there; NaN without walls at both ends.
 inline double pressing_force(std::span<const scree_plane> walls, const scree_load* loads, int axis,
                              const std::uint8_t* absent = nullptr) {
   const int low = wall_across(walls, axis, 1, absent), high = wall_across(walls, axis, -1, absent);
+  if (low < 0 || high < 0) return std::numeric_limits<double>::quiet_NaN();
   const bool both = !absent || absent[low] == absent[high];
   return (both ? 0.5 : 1) * (loads[high].force[axis] - loads[low].force[axis]);
 }

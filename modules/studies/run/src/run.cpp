@@ -162,7 +162,10 @@ void Run::save_failed() {
 
 void Run::save_unreached() {
   if (!not_reached_) return;
-  observe(plan_.stages[runner_->current()].name, runner_->steps());
+  const std::string& stage = plan_.stages[runner_->current()].name;
+  observe(stage, runner_->steps());
+  // A run that goes on must be able to end this stage earlier, from a state before.
+  if (runner_->next_is_refused()) return states_.write_stage(stage);
   try {
     states_.write_before_failure();
   } catch (const Error& error) {

@@ -15,7 +15,7 @@ class Columns : public Sampler {
   void transfer(const StateTransfer& state) override { transfer_probes(state); }
 };
 
-std::shared_ptr<StageColumns> columns_of(const scenario::Plan& plan) {
+std::shared_ptr<Columns> columns_of(const scenario::Plan& plan) {
   const bool any = std::any_of(plan.stages.begin(), plan.stages.end(),
                                [](const Stage& stage) { return stage.until.reads_columns(); });
   return any ? std::make_shared<Columns>(plan) : nullptr;
@@ -28,7 +28,10 @@ StageRunner stage_runner(Simulation& simulation, const scenario::Plan& plan) {
 }
 
 StageRunner stage_runner(Simulation& simulation, const scenario::Plan& plan, const StateTransfer& state) {
-  return {simulation, plan.stages, state, columns_of(plan)};
+  const auto columns = columns_of(plan);
+  StageRunner runner(simulation, plan.stages, state, columns);
+  if (columns) columns->check_restored(simulation);
+  return runner;
 }
 
 bool run_stages(StageRunner& runner, std::size_t end, const std::function<bool()>& proceed,

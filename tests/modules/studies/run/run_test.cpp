@@ -108,6 +108,27 @@ TEST_CASE("an end condition that is not reached is a failure that keeps the resu
   CHECK(lines_of(text_of(bench.options.out / "series/energy.csv")).size() > 10);
 }
 
+// A disc falls through a plane that is absent and cannot come back; the earlier checkpoint allows a shorter
+// fall.
+TEST_CASE("a stage that cannot begin leaves the state at the end of the stage before in states/", "[run]") {
+  Bench bench(
+      "[scene]\ndimension = 2\n[time]\nstep = 1e-3\n[[material]]\nname = 'a'\ndensity = 1000\n"
+      "[[contact]]\nplugin = 'linear_spring_dashpot'\nnormal_stiffness = 1e3\nnormal_damping = 0\n"
+      "[[particle]]\nposition = [0, 0.1]\nvelocity = [0, -1]\nradius = 0.01\n"
+      "[[boundary]]\nname = 'gate'\nplugin = 'plane'\npoint = [0, 0]\nnormal = [0, 1]\ncontrol = 'absent'\n"
+      "[[stage]]\nname = 'open'\nduration = 0.2\n[[stage]]\nname = 'close'\nduration = 0.1\n"
+      "set.gate.control = 'fixed'\n[checkpoint]\nevery_time = 0.05\n");
+  try {
+    bench.run();
+    FAIL("the gate is not beyond the disc");
+  } catch (const Error& error) {
+    CHECK(error.status() == ExitStatus::not_reached);
+    CHECK_THAT(error.what(), Catch::StartsWith("stage 'close': wall gate is to be there again"));
+  }
+  CHECK(present_bodies(state_file::read_state(bench.options.out / "states/open.h5"))[0].position[1] ==
+        Approx(-0.1));
+}
+
 TEST_CASE("progress to a condition is told by its quantity and goal, not by a share", "[run]") {
   Bench bench(with(discs, "duration = 1e-4\n", "") +
               "[[stage]]\nname = 'rest'\nuntil = { kinetic_over_elastic = 1e-30, at_most = 1000 }\n"
