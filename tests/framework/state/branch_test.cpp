@@ -72,8 +72,9 @@ TEST_CASE("a scene that begins from a state and changes nothing moves to the sam
 TEST_CASE(
     "functions of time of body forces begin anew in a scene that begins from a state, with the balance") {
   Scene scene = heap(3, false);
-  scree::test::add_body_force(scene, "gravity",
-                              {{"acceleration", {0, 0, 0}}, {"acceleration_x", {3, 0, 50, 0.1}}}, "pull");
+  scene.body_forces.push_back(
+      {"pull", scree::test::parameters("gravity", SCREE_BODY_FORCE,
+                                       {{"acceleration", {0, 0, 0}}, {"acceleration_x", {3, 0, 50, 0.1}}})});
   Simulation first(scene);
   scree::test::run(first, steps_of_heap);
   const State state = first.state();

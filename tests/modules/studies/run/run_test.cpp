@@ -6,6 +6,8 @@
 #include <catch2/catch.hpp>
 
 #include <scree/run/set_up.hpp>
+#include <scree/scene_record.hpp>
+#include <scree/state_file/state_file.hpp>
 
 using namespace scree;
 using namespace scree::scenario;
