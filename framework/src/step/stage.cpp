@@ -87,8 +87,10 @@ void StageRunner::check_resumed() const {
                     stage.name, simulation_.time() - began_, *at_most, stage.name));
   if (!stage.duration || steps_in(*stage.duration) > steps()) return;
   const auto [taken, duration] = told_apart(simulation_.time() - began_, *stage.duration);
-  throw Error(fmt::format("stage '{}' has already taken {} s, and its duration is {} s; give a longer one",
-                          stage.name, taken, duration));
+  throw Error(
+      fmt::format("stage '{}' has already taken {} s, and its duration is {} s; give a longer one, or begin "
+                  "a new run from a state before (particles.state)",
+                  stage.name, taken, duration));
 }
 
 void StageRunner::save(const StateTransfer& state) const { StageRunner(*this).transfer(state); }
