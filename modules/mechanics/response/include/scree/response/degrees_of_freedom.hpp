@@ -17,7 +17,7 @@ class DegreesOfFreedom {
   static constexpr Eigen::Index none = -1;
 
   // Consecutive numbers.
-  struct Range {
+  struct Numbers {
     Eigen::Index first = none, count = 0;
   };
 
@@ -41,10 +41,10 @@ class DegreesOfFreedom {
   Eigen::Index rotation(std::size_t body, int k) const {
     return number(rotation_[body], body, first_rotation(), k);
   }
-  Range translations(std::size_t body) const {
+  Numbers translations(std::size_t body) const {
     return {translation_[body], translation_[body] == none ? 0 : count(body, 0, dimension_)};
   }
-  Range rotations(std::size_t body) const {
+  Numbers rotations(std::size_t body) const {
     return {rotation_[body], rotation_[body] == none ? 0 : count(body, first_rotation(), spins_)};
   }
   // Number of the displacement of a wall along its direction; `none` if it is left out.
