@@ -13,8 +13,7 @@ struct BoxProbe {
 
   static constexpr scree::About about = {
       "box", "lengths, stresses and strains of the box formed by opposite walls",
-      "σ_kk = mean of the contact forces on the walls of axis k that are there / their area; a wall behind fixed bodies "
-      "bears nothing\n"
+      "σ_kk = mean of the contact forces on the walls of axis k that are there / their area, from wall to wall\n"
       "ε_kk = 1 − L_k/L_k0          L_k0: at the first sample\n"
       "σ_D = 2(σ_xx − σ_yy)/3,  ε_D = ε_xx − ε_yy",
       "David et al. 2005, section 3.1; McNamara et al. 2008, equation 2 (γ = ε_D)"};
