@@ -26,6 +26,8 @@ packing::Bounds read_box(const document::Table& region, int dimension) {
   return box;
 }
 
+}  // namespace
+
 packing::Region read_region(const document::Table& region, int dimension) {
   const std::string kind = read(region, region_keys.kind);
   if (kind == "box") return read_box(region, dimension);
@@ -38,6 +40,8 @@ packing::Region read_region(const document::Table& region, int dimension) {
   const std::string axis = read(region, region_keys.axis);
   return packing::Cylinder{centre, radius, read(region, region_keys.length), axis[0] - 'x'};
 }
+
+namespace {
 
 std::array<bool, 3> read_axes(const document::Table& random, const packing::Region& region, int dimension) {
   std::array<bool, 3> periodic = {};

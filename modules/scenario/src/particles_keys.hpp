@@ -14,7 +14,9 @@ struct ParticlesKeys : TableKeys {
       other("lattice", "table", Range::any(), "this, random, file or state", "see particles.lattice");
   Key random = other("random", "table", Range::any(), "this, lattice, file or state",
                      "bodies at random places that do not overlap, see particles.random");
-  Key region = other("region", "table", Range::any(), "required with random", "see particles.region");
+  Key region =
+      other("region", "table", Range::any(), "required with random",
+            "bodies lie wholly in it; of a lattice or a file others are left out; see particles.region");
   NumberKey radius = number("radius", Range::positive("m"),
                             "of bodies on a lattice or at random; or a table, see particles.radius",
                             "required with lattice, random");

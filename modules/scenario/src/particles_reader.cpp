@@ -73,20 +73,30 @@ packing::Packing read_packing(BodyLot& lot, const Source& source, packing::Rando
   const document::Table& particles = lot.table;
   const bool at_random = particles.optional(particles_keys.random);
   if (particles.optional(particles_keys.file)) {
-    for (const Key& key : {particles_keys.lattice, particles_keys.random, particles_keys.region})
+    for (const Key& key : {particles_keys.lattice, particles_keys.random})
       if (particles.optional(key))
         throw particles.error("file", fmt::format("both a file and a {} are given", key.name),
                               "keep one of them");
     return read_packing_of_file(particles, source.dimension, source.folder, source.materials, lot.origin);
   }
   refuse_keys_of_files(particles);
-  if (!at_random && particles.has(particles_keys.region))
-    throw particles.error(particles_keys.region, "'region' needs 'random', which is not given",
-                          "add random = { count = <number> }, or remove it");
   if (!at_random) return read_lattice_bodies(particles, source.dimension, random, lot.origin);
   if (particles.optional(particles_keys.lattice))
     throw particles.error(particles_keys.random, "both a lattice and random are given", "keep one of them");
   return read_random_bodies(particles, source.dimension, random, spheres_of(lots), lot.origin);
+}
+
+// Leaves out bodies of a lattice or a file that do not lie wholly in the region.
+void cut_to_region(const document::Table& particles, int dimension, packing::Packing& packing) {
+  if (!particles.optional(particles_keys.region)) return;
+  const packing::Region region = read_region(particles.table(particles_keys.region), dimension);
+  std::erase_if(packing.bodies, [&](const packing::Body& body) {
+    return !packing::holds(region, dimension, body.position, body.radius);
+  });
+  if (packing.bodies.empty())
+    throw particles.error(particles_keys.region, "no body lies wholly in the region",
+                          "give a larger one, or another place");
+  packing.bounds.reset();  // its periodic faces are cut
 }
 
 void read_table(BodyLot& lot, const Source& source, packing::Random random,
@@ -97,6 +107,7 @@ void read_table(BodyLot& lot, const Source& source, packing::Random random,
   const std::string material = shares ? "" : read(particles, particles_keys.material);
   const AddedVelocity added(particles, source.dimension);
   packing::Packing packing = read_packing(lot, source, random, lots);
+  if (!particles.has(particles_keys.random)) cut_to_region(particles, source.dimension, packing);
   if (packing.bounds) lot.box = {packing.periodic, packing.bounds->lower, packing.bounds->upper};
   if (shares)
     share_materials(particles.table(particles_keys.material), source.materials, random, packing.bodies);

@@ -15,6 +15,7 @@
 #include <scree/packing/packing.hpp>
 #include <scree/packing/radius_distribution.hpp>
 #include <scree/packing/random.hpp>
+#include <scree/packing/region.hpp>
 #include <scree/pair_search.hpp>
 #include <scree/parameters.hpp>
 #include <scree/particles.hpp>
@@ -57,6 +58,8 @@ void check_body_memory(const document::Table& table, std::string_view key, doubl
 
 // cloud_reader.cpp
 
+// The table `region` of [particles].
+packing::Region read_region(const document::Table& region, int dimension);
 // The bodies of [particles] with random, region and radius, clear of other bodies. origin: is set to what
 // BodySource has.
 packing::Packing read_random_bodies(const document::Table& particles, int dimension, packing::Random& random,

@@ -95,8 +95,6 @@ TEST_CASE("keys of bodies at random that do not fit together are refused", "[sce
   CHECK_THAT(refused_cloud(region, ""), Catch::Contains("region"));
   CHECK_THAT(refused_cloud("count = 40", "count = 40, periodic = 'yz'"),
              Catch::Contains("'yz' is not a list of axes; give \"x\", \"y\" or \"xy\""));
-  CHECK_THAT(refused_cloud("random = { count = 40 }\n", "lattice = { count = 3 }\n"),
-             Catch::Contains("'region' needs 'random', which is not given"));
   CHECK_THAT(refused_cloud("random = {", "lattice = { count = 3 }\nrandom = {"),
              Catch::Contains("both a lattice and random are given; keep one of them"));
 }

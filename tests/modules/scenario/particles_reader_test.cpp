@@ -144,3 +144,30 @@ TEST_CASE("an empty list of columns is refused", "[scenario]") {
   CHECK_THROWS_WITH(scree::scenario::read_plan(file, {}, scree::test::host()),
                     Catch::Contains("no column is named; name each"));
 }
+
+TEST_CASE("of a lattice and of a file only bodies that lie wholly in the region are there", "[scenario]") {
+  // Nine discs of 0.01 m at 0.011, 0.033 and 0.055 m.
+  const auto ids = [](const std::string& text) {
+    std::vector<double> at;
+    for (const scree::Body& body : plan_of(text).scene.bodies)
+      at.push_back(body.position[0] + 10 * body.position[1]);
+    return at;
+  };
+  const std::string lattice = "lattice = { kind = 'square', count = [3, 3], gap = 0.1 }\nradius = 0.01\n";
+  const auto cut = [&](const std::string& region) {
+    return scree::test::with(scree::test::discs, lattice, lattice + "region = " + region + "\n");
+  };
+  CHECK(ids(cut("{ x = [0, 0.044], y = [0, 0.07] }")).size() == 6);
+  CHECK(ids(cut("{ x = [0, 0.042], y = [0, 0.07] }")).size() == 3);  // the second column sticks out
+  CHECK(ids(cut("{ kind = 'sphere', centre = [0.033, 0.033], radius = 0.0321 }")).size() == 5);
+  CHECK_THAT(refusal(cut("{ x = [0, 0.001], y = [0, 0.07] }")),
+             Catch::Contains("no body lies wholly in the region"));
+
+  const TemporaryFolder folder;
+  folder.write("two.csv", "id,x,y,z,radius\n7,0.5,0,0,0.1\n8,0.5,1,0,0.2\n");
+  const auto file =
+      folder.write("scene.toml", scene_with_keys("region = { x = [0, 1], y = [0.7, 1.3], z = [-1, 1] }\n"));
+  const auto bodies = scree::scenario::read_plan(file, {}, scree::test::host()).scene.bodies;
+  REQUIRE(bodies.size() == 1);
+  CHECK(bodies[0].radius == 0.2);
+}
