@@ -117,13 +117,15 @@ void take_inputs(ProbeDraft& draft, const std::vector<ProbeDraft>& drafts, int d
   }
 }
 
-void read_observation(const document::Table& t, const Scene& scene, ProbePlan& plan) {
-  const Probe probe = placed(t, "plugin", [&] { return Probe(plan.parameters, scene.dimension); });
-  const char* const plugin = plan.parameters.plugin().name;
+void check_selection(const document::Table& t, const Probe& probe, const ProbePlan& plan) {
   if (!plan.left_out.empty() && !probe.leaves_out())
     throw t.error(t.optional(probe_keys.groups) ? probe_keys.groups : probe_keys.leave_out,
-                  fmt::format("the probe {} does not choose between bodies", plugin),
+                  fmt::format("the probe {} does not choose between bodies", plan.parameters.plugin().name),
                   "remove groups and leave_out");
+}
+
+void read_observation(const document::Table& t, const Probe& probe, const Scene& scene, ProbePlan& plan) {
+  const char* const plugin = plan.parameters.plugin().name;
   if (!t.optional(probe_keys.observe_every)) {
     if (probe.observe_every() > scene.step) plan.observe_every = probe.observe_every();
     return;
@@ -152,7 +154,9 @@ void read_probe(ProbeDraft& draft, const std::vector<ProbeDraft>& drafts, const 
     find_name(t, "stages", "stage", plan.stages[k], stages, k);
   take_inputs(draft, drafts, scene.dimension, stages);
   check_complete(t, plan.parameters);
-  read_observation(t, scene, plan);
+  const Probe probe = placed(t, "plugin", [&] { return Probe(plan.parameters, scene.dimension); });
+  check_selection(t, probe, plan);
+  read_observation(t, probe, scene, plan);
 }
 
 }  // namespace
