@@ -107,7 +107,7 @@ def draw_minima(axes, gamma, title, look):
         linewidth=0.5,
         color=BLUE,
     )
-    label(axes, title, "cycle", rf"$\gamma$ less that of cycle {DROPPED} / 10$^{{{power}}}$")
+    label(axes, title, "cycle", rf"$\gamma$ minus $\gamma$ of cycle {DROPPED} / 10$^{{{power}}}$")
 
 
 def draw_ratcheting(axes, biaxial):
@@ -256,7 +256,7 @@ def draw_settling(axes, run):
     axes.semilogy(
         range(DROPPED, DROPPED + len(gamma) - 1), [abs(g - gamma[-1]) for g in gamma[:-1]], color=BLUE, linewidth=1
     )
-    label(axes, f"Shakedown, packing {run['seed']} (figure 18)", "cycle", r"$|\gamma$ less that of the last cycle$|$")
+    label(axes, f"Shakedown, packing {run['seed']} (figure 18)", "cycle", r"$|\gamma$ minus $\gamma$ of the last cycle$|$")
 
 
 def draw_rattlers(campaigns, out):

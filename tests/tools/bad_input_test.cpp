@@ -24,7 +24,7 @@ TEST_CASE("a wrong key, type or value is reported with position and cure", "[too
   refused_scene(
       "radius = 0.01", "radius = 0.01\nrandom_velocty = 1",
       "scene.toml:16:1: unknown key 'random_velocty' in [particles]; did you mean 'random_velocity'? ",
-      "velocity_gradient, random_velocity, random, file, radius, lattice, region");
+      "velocity_gradient, random_velocity, random, file, radius, lattice, region, springs");
   refused_scene("1e-5", "'1e-5'", "scene.toml:4:8: time.step is a string (\"1e-5\"); ",
                 "give a number in s, such as 1e-5");
   refused_scene("radius = 0.01", "radius = -1", "scene.toml:15:10: particles.radius = -1 m is negative; ",

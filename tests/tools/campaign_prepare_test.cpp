@@ -52,6 +52,26 @@ TEST_CASE("the runs of a campaign begin from one preparation per seed", "[tools]
         w.record("out/normal_stiffness=20000,seed=2")["state_hash"]);
 }
 
+TEST_CASE("runs of a campaign put held bodies and a probe of a group beside the bodies of their preparation",
+          "[tools]") {
+  const std::string held =
+      "[[particles]]\nname = 'rough'\nradius = 0.002\n"
+      "lattice = { kind = 'square', count = [1, 1], origin = [-0.004, -0.004] }\n"
+      "[[particles]]\nname = 'bed'\n";
+  const std::string groups =
+      "[[group]]\nname = 'wall'\nwhere = { particles = 'rough' }\nfixed = true\n"
+      "[[probe]]\nplugin = 'momentum'\nname = 'bed_only'\nleave_out = ['wall']\nevery = 2e-5\n";
+  const PreparedWorkspace w(stiffnesses + prepare,
+                            with(scene_without_bodies, "[particles]\n", held) + groups);
+  const Outcome outcome = w.scree(campaign_call);
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  const std::string run = "out/normal_stiffness=20000,seed=2";
+  CHECK(w.record(run)["status"] == "finished");
+  CHECK(contains(w.text(run + "/scenario.toml"), w.preparations()[1].substr(12) + "/final_state.h5"));
+  CHECK(w.has(run + "/series/bed_only.csv"));
+}
+
 TEST_CASE("prepared runs are kept, also where the directory of the campaign was moved to", "[tools]") {
   const PreparedWorkspace w(stiffnesses + prepare);
   REQUIRE(w.scree(campaign_call).status == 0);

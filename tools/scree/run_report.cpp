@@ -26,7 +26,7 @@ void print_carried(const Simulation& simulation) {
   if (simulation.steps() > 0)
     fmt::print("goes on from t = {:g} s, after {}\n", simulation.time(), counted(simulation.steps(), "step"));
   if (!simulation.taken_over().empty())
-    fmt::print("taken over from the state: {}\n",
+    fmt::print("taken over: {}\n",
                files::escaped(fmt::format("{}", fmt::join(simulation.taken_over(), ", "))));
 }
 

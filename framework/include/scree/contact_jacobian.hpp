@@ -13,7 +13,7 @@ enum class PairMotion {
   rotation_a,  // (rad) of a while the contact points stay: changes its orientation
   rotation_b,  // (rad) likewise of b
   velocity,    // (m/s) of a's contact point relative to b's
-  spin         // (rad/s) of a minus that of b
+  spin         // (rad/s) of a minus spin of b
 };
 inline constexpr int pair_motions = 6;
 // D, or, of rotations and spins, S: 1 in 2D and 3 in 3D.

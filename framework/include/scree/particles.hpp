@@ -25,8 +25,7 @@ struct Body {
   Vec3 position = {};          // (m)
   Vec3 velocity = {};          // (m/s)
   Vec3 spin = {};              // (rad/s)
-  // No force moves or turns it: its velocity and spin are those given, or those of its BodyGroup, as of a
-  // wall.
+  // No force moves or turns it: it keeps its velocity and spin, or follows its BodyGroup, as a wall does.
   bool fixed = false;
   freedom::Mask held = 0;  // the same of some components, of a body that is not fixed
 };
@@ -112,7 +111,7 @@ class Particles {
   }
 
   // Direct access to the records: (size, width) and (size or more, load_width) doubles. Rows of loads behind
-  // those of the bodies are scratch space of the force evaluation.
+  // the rows of bodies are scratch space of the force evaluation.
   double* records() { return records_.data(); }
   const double* records() const { return records_.data(); }
   double* loads() { return loads_.data(); }

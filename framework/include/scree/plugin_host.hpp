@@ -32,7 +32,7 @@ class PluginHost {
   // The plug-in of a name and kind. Throws Error with the closest known name, or with the reason why the
   // library was rejected.
   const scree_plugin& find(const std::string& name, scree_kind kind);
-  // Loads every library; those that cannot be loaded are appended to `broken`.
+  // Loads every library; appends to `broken` the libraries that cannot be loaded.
   std::vector<const scree_plugin*> load_all(std::vector<Broken>& broken);
   // Names of all libraries of a kind in the directories, without loading them.
   std::vector<std::string> names(scree_kind kind) const;

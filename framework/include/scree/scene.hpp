@@ -32,6 +32,12 @@ struct Scene {
     std::string name;
     Parameters parameters;
   };
+  // Tangential spring of a contact at the start: how far the contact point of body a (index) has moved
+  // relative to b's while they stuck.
+  struct Spring {
+    std::uint32_t a, b;
+    Vec3 displacement;  // (m)
+  };
 
   int dimension = 3;
   double step = 0;  // (s)
@@ -52,6 +58,7 @@ struct Scene {
   std::vector<Body> bodies;
   std::vector<BodyGroup> groups;
   std::vector<BodySelection> selections;  // nothing in the motion depends on them
+  std::vector<Spring> springs;            // of another code; contacts that are not listed begin without one
   std::vector<Law> laws;
   std::vector<std::uint32_t> law_of;  // (materials, materials), symmetric: index into laws
   std::vector<Boundary> boundaries;

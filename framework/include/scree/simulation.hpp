@@ -36,7 +36,7 @@ class Simulation {
   explicit Simulation(const Scene& scene);
   // Goes on from a state of the same scene, to the same bits as if it had never stopped. The scene has the
   // bodies of the start (see scene_record.hpp) and the parameters of the present stage. Throws Error if the
-  // state is that of another scene.
+  // state belongs to another scene.
   Simulation(const Scene& scene, const State& state);
   // Begins at t = 0 from a state of another simulation, whose bodies come first in the scene, as they were in
   // the state (see branching.hpp). Without other changes the motion goes on to the same bits. Throws Error if
@@ -57,7 +57,7 @@ class Simulation {
   void measure(Profile* profile);
 
   // Set new parameters for a law, boundary or body force by name, between steps; histories and wall positions
-  // are kept. Functions of time start again, except those of the keys that go on. Throw Error for an unknown
+  // are kept. Functions of time start again, but functions of the keys in `going_on` continue. Throw Error for an unknown
   // name or for parameters that change the layout of the scene.
   void reconfigure_law(const std::string& name, const Parameters& parameters);
   void reconfigure_boundary(const std::string& name, const Parameters& parameters,
@@ -145,6 +145,7 @@ class Simulation {
   // Takes one step; `observed`: the bodies must be complete at its end.
   void advance(bool observed);
   void check_health(bool sound) const;
+  void start_springs();
   void start_audits();
 
   std::unique_ptr<SimulationParts> parts_;

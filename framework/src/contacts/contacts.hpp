@@ -50,7 +50,7 @@ class Contacts {
 
   explicit Contacts(const std::vector<Kind>& kinds = {}, Precision precision = Precision::double_precision);
 
-  // Replaces the pairs (sorted by a, b) and keeps the history of those that existed before.
+  // Replaces the pairs (sorted by a, b) and keeps the histories of pairs that existed before.
   void rebuild(const std::vector<NeighbourPair>& bodies, const std::vector<PlanePair>& planes,
                const Lookup& lookup);
 

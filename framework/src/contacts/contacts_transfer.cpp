@@ -63,7 +63,8 @@ void Contacts::transfer(const StateTransfer& state, std::size_t bodies, std::siz
     bool with_planes = group.planes;
     of_group.value("law", "", law);
     of_group.value("planes", "", with_planes);
-    if (law != group.law || with_planes != group.planes) of_group.refuse("law", "is that of other contacts");
+    if (law != group.law || with_planes != group.planes)
+      of_group.refuse("law", "is the law of other contacts");
     if (state.restoring()) {
       of_group.rows("a", "", pairs.a);
       pairs.b.resize(pairs.a.size()), pairs.image.resize(pairs.a.size());

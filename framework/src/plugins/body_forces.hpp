@@ -30,7 +30,8 @@ class BodyForces {
   void apply(Times times, scree_body_batch& batch) const;
   // Largest rate at which any body force damps any of the bodies (1/s); 0 without drag.
   double largest_damping_rate(const std::vector<Body>& bodies) const;
-  // Its functions of time start again at `time` (s), except those of the keys that go on.
+  // Its functions of time start again at `time` (s), but functions of the keys in `going_on`
+  // continue.
   void reconfigure(const std::string& name, const Parameters& parameters, double time,
                    const std::vector<std::string>& going_on);
   // Begins functions of time anew, at t = 0.

@@ -11,7 +11,8 @@ namespace scree {
 
 namespace {
 
-// Numbers of each kind behind its own, or the fewest of those that end with a list of this many at a time.
+// How many numbers follow the number of a kind; for a kind that ends with a list, the fewest, and the list's
+// numbers at a time.
 struct Shape {
   std::size_t numbers;
   std::size_t list = 0;

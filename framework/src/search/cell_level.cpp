@@ -23,7 +23,7 @@ void CellLevel::choose_cells(const Vec3& lower, const Vec3& upper, double reach,
     cells_[k] = int(std::min(needed[k], share));
     left /= cells_[k];
     const double length = upper[k] - lower[k];
-    // One cell needs no width; that of the smallest lengths has no reciprocal.
+    // One cell needs no width; the width of a tiny cell would have no finite reciprocal.
     inverse_width_[k] = wrapped_[k] ? 1 / reach : cells_[k] > 1 ? cells_[k] / length : 0;
   }
 }

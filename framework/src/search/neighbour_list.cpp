@@ -30,7 +30,7 @@ void fold(Particles& p, std::size_t i, const Domain& domain) {
   }
 }
 
-// Number of listed pairs of bodies and of those that touch, the latter estimated from a few thousand samples.
+// Numbers of listed and of touching pairs of bodies, the latter estimated from a few thousand samples.
 std::pair<double, double> count_pairs(const Particles& p, const Contacts& contacts, const Domain& domain) {
   constexpr std::size_t max_samples = 2500;
   double listed = 0, touching = 0;

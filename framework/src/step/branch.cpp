@@ -268,7 +268,7 @@ void Branch::report_dropped(double energy, double before) {
   add(dropped_.of_fixed, "both of their bodies are fixed", "leave one of them free to keep them");
   add(dropped_.of_absent, "their wall or law is absent", "let it be there in the first stage to keep them");
   add(dropped_.of_laws, "their law keeps other numbers with its present parameters",
-      "give it those of the state to keep them");
+      "give it the parameters of the state to keep them");
   if (dropped_.all() == 0 && energy > 0)
     let_go_.push_back(
         fmt::format("contacts with walls of the state that are left out no longer bear load{}; remove "

@@ -1,3 +1,4 @@
+#include "contacts/start_springs.hpp"
 #include "step/branch.hpp"
 #include "step/health.hpp"
 #include "step/simulation_parts.hpp"
@@ -11,6 +12,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <scree/counted.hpp>
 #include <scree/error.hpp>
 #include <scree/scene_record.hpp>
 #include <scree/simulation.hpp>
@@ -69,7 +71,7 @@ void set_parameters(Entries& entries, const char* kind, const std::string& name,
 Simulation::Simulation(const Scene& scene) : parts_(std::make_unique<SimulationParts>(scene)) {
   SimulationParts& p = *parts_;
   p.search_neighbours();
-  without_exception(*this, [&] { return p.stepper.reevaluate_forces(0), true; });
+  without_exception(*this, [&] { return p.stepper.reevaluate_forces(0), start_springs(), true; });
   start_audits();
   check_health(p.stepper.initial_state_is_sound());
 }
@@ -93,8 +95,28 @@ Simulation::Simulation(const Scene& scene, const State& state, const Branching& 
   without_exception(*this, [&] { return branch.take_over(*this, *parts_), true; });
   parts_->taken_over = branch.report();
   parts_->let_go = branch.let_go();
+  without_exception(*this, [&] { return start_springs(), true; });
   start_audits();
   check_health(parts_->stepper.initial_state_is_sound());
+}
+
+// The first evaluation has set all else that laws keep, such as the radius of a contact; the second one cuts
+// the springs at the limit of friction.
+void Simulation::start_springs() {
+  SimulationParts& p = *parts_;
+  if (p.scene.springs.empty()) return;
+  const StartSprings springs =
+      place_springs(p.scene.springs, contact_list(), p.laws, dimension(), p.contacts);
+  p.stepper.reevaluate_forces(0);
+  p.taken_over.push_back("springs of " + counted(springs.placed, "contact"));
+  const auto lost = [&](std::size_t number, const char* why) {
+    if (number > 0) p.let_go.push_back(counted(number, "spring") + " of the file lost, " + why);
+  };
+  lost(springs.apart,
+       "since the bodies do not touch; write positions and springs at the same step, with all digits");
+  lost(springs.without_room,
+       "since the law has no such springs; use one with friction that has them, such as "
+       "linear_spring_dashpot or hertz_mindlin");
 }
 
 void Simulation::start_audits() {

@@ -36,8 +36,8 @@ class Boundaries {
   // velocity, for output; and back to the positions of the force evaluation, before the next begin_step.
   void extrapolate(double time);
   void undo_extrapolation() { planes_ = planes_before_extrapolation_; }
-  // Sets new parameters of a boundary; its functions of time start again at `time` (s), except those of the
-  // keys that go on; positions of planes are kept. A jump of kinetic energy counts as work.
+  // Sets new parameters of a boundary; its functions of time start again at `time` (s), but functions of the
+  // keys in `going_on` continue; positions of planes are kept. A jump of kinetic energy counts as work.
   void reconfigure(const std::string& name, const Parameters& parameters, double time,
                    const std::vector<std::string>& going_on = {});
 
@@ -70,8 +70,8 @@ class Boundaries {
   };
   static StoredPlanes stored_planes(const State& state, std::size_t boundary);
   static std::size_t plane_count(const State& state);
-  // Takes over the walls of boundary `from` of a state for the boundary of a name, whose plug-in and
-  // parameters are those of the state.
+  // Takes over the walls of boundary `from` of a state for the boundary of that name; plug-in and
+  // parameters of both are the same.
   void take_over(const State& state, std::size_t from, const std::string& name);
   std::size_t first_plane(std::size_t boundary) const { return members_[boundary].first_plane; }
   // Moves the planes to points (m), at rest and with the forces of contacts on them.

@@ -5,7 +5,7 @@
 namespace scree {
 
 // Lengths of a scene along each axis (m): the period, or the distance of the two opposite walls that are
-// normal to the axis and nearest to the bodies, of those that are not absent if there are others. NaN along
+// normal to the axis and nearest to the bodies; absent walls count only where there are no others. NaN along
 // an axis that is not enclosed.
 Vec3 enclosed_lengths(const Boundaries& boundaries, int dimension);
 

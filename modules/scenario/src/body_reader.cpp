@@ -12,7 +12,7 @@ namespace {
 
 packing::Body read_inline(const document::Table& t, int dimension) {
   packing::Body body;
-  body.id = read(t, particle_keys.id);
+  body.id = t.optional_integer(particle_keys.id, particle_keys.id.range).value_or(0);
   body.material = read(t, particle_keys.material);
   body.radius = read(t, particle_keys.radius);
   if (const auto density = read_optional(t, particle_keys.density)) body.density = *density;

@@ -9,15 +9,20 @@ std::vector<BodyFile> body_files(const document::Document& document, const fs::p
   std::vector<BodyFile> files;
   const fs::path folder = scenario.parent_path();
   for (const document::Table& particles : document.root().tables("particles")) {
-    const auto add = [&](const Key& key, const fs::path& path) {
-      files.push_back({particles.path() + "." + key.name, path});
+    const auto add = [&](const document::Table& table, const Key& key, const fs::path& path) {
+      files.push_back({table.path() + "." + key.name, path});
     };
-    std::error_code failed;
+    const auto add_file = [&](const document::Table& table, const StringKey& key) {
+      std::error_code failed;
+      if (table.is_string(key))
+        add(table, key, fs::absolute(folder / read(table, key), failed).lexically_normal());
+    };
     if (particles.is_string(particles_keys.state))
-      add(particles_keys.state, find_state(particles, folder));
-    else if (particles.is_string(particles_keys.file))
-      add(particles_keys.file,
-          fs::absolute(folder / read(particles, particles_keys.file), failed).lexically_normal());
+      add(particles, particles_keys.state, find_state(particles, folder));
+    else
+      add_file(particles, particles_keys.file);
+    if (particles.is_table(particles_keys.springs))
+      add_file(particles.table(particles_keys.springs), springs_keys.file);
   }
   return files;
 }

@@ -39,6 +39,8 @@ struct ParticlesKeys : TableKeys {
                      "copies of the file's bodies along each axis");
   Key period =
       other("period", "[x, y, z]", Range::positive("m"), "required with repeat", "distance of the copies");
+  Key springs = other("springs", "table", Range::any(), "default none",
+                      "tangential springs of the file's contacts, see particles.springs");
   StringKey state = string(
       "state",
       "state file of a run to begin from, with springs and walls; from the folder of the scenario or the working folder",
@@ -54,6 +56,19 @@ struct ParticlesKeys : TableKeys {
                                 "times the coordinates of a body, added to its velocity");
   NumberKey random_velocity = number("random_velocity", Range::non_negative("m/s"), 0,
                                      "standard deviation of each component, added to all bodies");
+};
+
+struct SpringsKeys : TableKeys {
+  SpringsKeys()
+      : TableKeys("particles.springs", "springs = { }",
+                  "tangential springs of contacts between bodies of the file, with which they go on") {}
+  StringKey file = string(
+      "file", "dump of LAMMPS or LIGGGHTS by 'dump local', of the same step; relative to the scenario");
+  Key columns = other(
+      "columns", "[\"a\", \"b\", \"spring_x\", ...]", Range::any(), "default from the dump",
+      "ids of the bodies, and how far the contact point of a has moved relative to b's (m); \"-\" is not read");
+  NumberKey factor = number("factor", Range::any(), 1.0,
+                            "times the numbers of the dump gives metres: -1/k_t for tangential forces on a");
 };
 
 struct LatticeKeys : TableKeys {
@@ -81,7 +96,7 @@ struct RandomKeys : TableKeys {
   IntegerKey count = integer("count", Range::at_least(1), "of bodies", "or solid_fraction");
   NumberKey solid_fraction = number(
       "solid_fraction", Range::between(0, 1),
-      "volume of the bodies over that of the region, met to rounding, since all radii are multiplied by one "
+      "volume of the bodies over volume of the region, met to rounding, since all radii are multiplied by one "
       "factor near 1; some 0.3 can be reached, in 2D 0.45, with growth 0.55 and 0.8",
       "or count");
   BooleanKey growth =
@@ -142,11 +157,12 @@ struct ParticleKeys : TableKeys {
   NumberKey mass =
       number("mass", Range::positive("kg"), "instead of the one by density", "default by density");
   StringKey material = string("material", "", "name of a [[material]]", "required with several materials");
-  IntegerKey id = integer("id", Range::between(1, SCREE_MAX_ID), 0,
-                          "of the body, in files and probes; without it numbered after the largest");
+  IntegerKey id = integer("id", Range::between(1, SCREE_MAX_ID), "of the body, in files and probes",
+                          "default: after the largest");
 };
 
 inline const ParticlesKeys particles_keys;
+inline const SpringsKeys springs_keys;
 inline const LatticeKeys lattice_keys;
 inline const RandomKeys random_keys;
 inline const RegionKeys region_keys;

@@ -15,7 +15,7 @@ namespace {
 // Refuses keys that select or copy bodies of a file.
 void refuse_keys_of_files(const document::Table& particles) {
   for (const Key& key : {Key(particles_keys.timestep), particles_keys.columns, particles_keys.repeat,
-                         particles_keys.period, Key(particles_keys.keep_ids)})
+                         particles_keys.period, Key(particles_keys.keep_ids), particles_keys.springs})
     if (particles.has(key))
       throw particles.error(key, fmt::format("'{}' needs 'file', which is not given", key.name),
                             "add file = \"<path>\", or remove it; the size of a lattice is its count");
@@ -67,7 +67,7 @@ std::vector<Sphere> spheres_of(const std::vector<BodyLot>& lots) {
   return spheres;
 }
 
-// Only bodies at random look at those of other lots.
+// Only a random cloud looks at the bodies of other lots.
 packing::Packing read_packing(BodyLot& lot, const Source& source, packing::Random& random,
                               const std::vector<BodyLot>& lots) {
   const document::Table& particles = lot.table;
@@ -125,7 +125,7 @@ void read_state_table(BodyLot& lot, const Source& source, packing::Random random
   for (const Key& key : {Key(particles_keys.file), particles_keys.lattice, particles_keys.random,
                          particles_keys.region, Key(particles_keys.radius), Key(particles_keys.timestep),
                          particles_keys.repeat, particles_keys.period, particles_keys.columns,
-                         Key(particles_keys.keep_ids), Key(particles_keys.material)})
+                         Key(particles_keys.keep_ids), particles_keys.springs, Key(particles_keys.material)})
     if (particles.has(key))
       throw particles.error(key, fmt::format("both state and {} are given", key.name), "keep one of them");
   if (read_bodies.state)
@@ -140,8 +140,8 @@ void read_state_table(BodyLot& lot, const Source& source, packing::Random random
   for (Body& body : lot.bodies) body.velocity += added.at(body.position, random);
 }
 
-// Each table has random numbers of its own, so that none changes with another; the first has those of the
-// seed.
+// Each table has random numbers of its own, so that none changes with another; the first uses the
+// numbers of the seed itself.
 packing::Random random_of(std::uint64_t seed, std::size_t table) {
   packing::Random seeds(seed);
   std::uint64_t own = seed;
@@ -193,6 +193,8 @@ ReadBodies read_bodies(const document::Table& root, int dimension, const std::ve
     std::move(lot.bodies.begin(), lot.bodies.end(), std::back_inserter(result.bodies));
   }
   if (!result.state) sort_in_space(result.bodies, dimension);
+  for (std::size_t k = 0; k < tables; ++k)
+    read_springs(root.tables("particles")[k], dimension, folder, result.bodies, result.springs);
   if (result.bodies.empty())
     throw root.error("the scene has no bodies",
                      "add [particles] with lattice and radius, random, file or state, or [[particle]]");

@@ -47,6 +47,7 @@ std::vector<PackingBox> read_materials_and_bodies(const document::Table& root, R
   }
   ReadBodies read = read_bodies(root, plan.scene.dimension, materials, plan.seed, plan.source.parent_path());
   plan.scene.bodies = std::move(read.bodies);
+  plan.scene.springs = std::move(read.springs);
   read_groups(root, read.sources, plan.scene);
   plan.from_state = std::move(read.state);
   plan.branching = read.branching;

@@ -28,7 +28,7 @@
 #include <scree/scene.hpp>
 #include <scree/stage.hpp>
 
-// The readers of the tables of a scenario; above those of a source stands its name. All throw Error at the
+// The readers of the tables of a scenario; the readers of one source stand together under its name. All throw Error at the
 // wrong key.
 namespace scree::scenario {
 
@@ -78,8 +78,8 @@ std::vector<std::string> names_of(const std::vector<Material>& materials);
 
 // material_shares.cpp
 
-// Gives bodies without a material one at random, so that the numbers of each are those of the shares { glass
-// = 0.7, steel = 0.3 } to less than one body.
+// Gives bodies without a material one at random, so that the number of each follows the shares { glass = 0.7,
+// steel = 0.3 } to less than one body.
 void share_materials(const document::Table& table, const std::vector<Material>& materials,
                      packing::Random& random, std::vector<packing::Body>& bodies);
 
@@ -114,6 +114,12 @@ packing::Packing read_packing_of_file(const document::Table& particles, int dime
                                       const std::filesystem::path& folder,
                                       const std::vector<Material>& materials, std::string& origin);
 
+// spring_reader.cpp
+
+// Adds the springs that [particles] names for its bodies, which are among `bodies` of the scene.
+void read_springs(const document::Table& particles, int dimension, const std::filesystem::path& folder,
+                  const std::vector<Body>& bodies, std::vector<Scene::Spring>& result);
+
 // body_reader.cpp
 
 // Adds material, mass and inertia to a body: a sphere in 3D (I = 2mR²/5), a disc of unit thickness in 2D
@@ -134,7 +140,7 @@ struct BodyLot {
   Domain box;            // of a packing; not periodic without one
   bool own_ids = false;  // those above 0 are given ones; else they only number the bodies
 };
-// A lot without bodies for each table, those of [[particle]] last. Names differ.
+// A lot without bodies for each table, [[particle]] last. Names differ.
 std::vector<BodyLot> body_lots(const document::Table& root);
 // Numbers the bodies without an id after the largest id. keep_all: ids that only number bodies are kept too.
 // Throws Error if two bodies have the same id.
@@ -152,6 +158,7 @@ struct ReadBodies {
   std::vector<Body> bodies;
   std::vector<BodySource> sources;
   std::vector<PackingBox> boxes;
+  std::vector<Scene::Spring> springs = {};
   std::shared_ptr<const State> state = nullptr;  // in which bodies were; null for new packings
   Branching branching = {};
 };

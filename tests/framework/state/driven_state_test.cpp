@@ -18,10 +18,10 @@ using scree::Simulation;
 using scree::State;
 using scree::test::bit;
 using scree::test::check_same;
+using scree::test::error_line;
 using scree::test::group_of;
 using scree::test::heap;
 using scree::test::integrators;
-using scree::test::message_of;
 
 namespace freedom = scree::freedom;
 
@@ -104,13 +104,13 @@ TEST_CASE("a state has what groups do only if they do something", "[driven]") {
   CHECK(scree::is_scene_of(driven, scene));
   other.groups.pop_back();
   CHECK_FALSE(scree::is_scene_of(driven, other));
-  CHECK_THAT(message_of([&] { Simulation(other, driven); }), Catch::Contains("group"));
+  CHECK_THAT(error_line([&] { Simulation(other, driven); }), Catch::Contains("group"));
   other = scene;
   other.groups[2].load[0][2] = 51;
-  CHECK_THAT(message_of([&] { Simulation(other, driven); }), Catch::Contains("scene/group_2_load_0"));
+  CHECK_THAT(error_line([&] { Simulation(other, driven); }), Catch::Contains("scene/group_2_load_0"));
   other = scene;
   other.groups[2].load[0].clear();
-  CHECK_THAT(message_of([&] { Simulation(other, driven); }), Catch::Contains("group"));
+  CHECK_THAT(error_line([&] { Simulation(other, driven); }), Catch::Contains("group"));
   other = scene;
   other.bodies[40].held = bit(0);
   CHECK(Simulation(other).state_hash() != Simulation(scene).state_hash());
@@ -124,7 +124,7 @@ TEST_CASE("groups that a simulation cannot have are refused", "[driven]") {
   const auto refused = [&](const auto& change) {
     Scene other = scene;
     change(other);
-    return message_of([&] { Simulation{other}; });
+    return error_line([&] { Simulation{other}; });
   };
   CHECK_THAT(refused([](Scene& s) { s.groups[0].bodies[0] = 300; }),
              Catch::Contains("a body that does not exist"));

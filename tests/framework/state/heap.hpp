@@ -1,14 +1,13 @@
 #pragma once
 
+#include "error_line.hpp"
 #include "sanitized.hpp"
 #include "scenes.hpp"
 
 #include <random>
-#include <string>
 
 #include <catch2/catch.hpp>
 
-#include <scree/error.hpp>
 #include <scree/state.hpp>
 
 namespace scree::test {
@@ -57,15 +56,6 @@ inline void check_same(const State& a, const State& b) {
     INFO(path);
     CHECK(b.at(path) == array);
   }
-}
-
-inline std::string message_of(const auto& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
 }
 
 }  // namespace scree::test

@@ -16,8 +16,8 @@ using scree::Scene;
 using scree::Simulation;
 using scree::State;
 using scree::test::check_same;
+using scree::test::error_line;
 using scree::test::heap;
-using scree::test::message_of;
 using scree::test::steps_of_heap;
 
 namespace {
@@ -111,7 +111,7 @@ TEST_CASE("a state at the beginning of a stage is that of the simulation, which 
     const std::uint64_t before = whole.state_hash();
     const State state = whole.state();
     CHECK(whole.state_hash() == before);
-    CHECK(message_of([&] { Simulation(scene, state); }).empty());
+    CHECK(error_line([&] { Simulation(scene, state); }) == "no error");
   }
 }
 
@@ -199,7 +199,7 @@ TEST_CASE("which bodies are fixed is in the state, from which they go on to the 
 
   // A scene in which other bodies are fixed is another one.
   later.bodies[3].fixed = false;
-  CHECK_THAT(message_of([&] { Simulation(later, state); }), Catch::Contains("state_hash"));
+  CHECK_THAT(error_line([&] { Simulation(later, state); }), Catch::Contains("state_hash"));
 }
 
 TEST_CASE("a state says which bodies are fixed only if some are, by one number for each") {
@@ -211,9 +211,9 @@ TEST_CASE("a state says which bodies are fixed only if some are, by one number f
   const auto refusal = [&](const char* path, const scree::StateArray& array) {
     State damaged = state;
     damaged.put(path, array);
-    return message_of([&] { scree::bodies_at_start(damaged); });
+    return error_line([&] { scree::bodies_at_start(damaged); });
   };
-  CHECK(refusal("bodies/fixed", state.at("bodies/fixed")).empty());
+  CHECK(refusal("bodies/fixed", state.at("bodies/fixed")) == "no error");
   scree::StateArray array = state.at("bodies/fixed");
   auto& numbers = std::get<std::vector<std::uint8_t>>(array.values);
   numbers[1] = 2;
@@ -227,8 +227,8 @@ TEST_CASE("a state of another scene is refused with what differs") {
   Simulation s(scene);
   scree::test::run(s, 10);
   const State state = s.state();
-  const auto refusal = [&](const Scene& other) { return message_of([&] { Simulation(other, state); }); };
-  REQUIRE(refusal(scene).empty());
+  const auto refusal = [&](const Scene& other) { return error_line([&] { Simulation(other, state); }); };
+  REQUIRE(refusal(scene) == "no error");
 
   Scene other = heap(2, false);
   CHECK_THAT(refusal(other),
@@ -260,13 +260,13 @@ TEST_CASE("a state without one of its arrays, or with one of another size or typ
   scree::test::run(s, steps_of_heap);
   const State state = s.state();
   const auto restore = [&](const State& damaged) {
-    return message_of([&] {
+    return error_line([&] {
       Scene present = scene;
       present.bodies = scree::bodies_at_start(damaged);
       Simulation(present, damaged);
     });
   };
-  REQUIRE(restore(state).empty());
+  REQUIRE(restore(state) == "no error");
   for (const auto& [path, array] : state.arrays()) {
     INFO(path);
     State cut, longer = state, other_type = state;
@@ -278,9 +278,9 @@ TEST_CASE("a state without one of its arrays, or with one of another size or typ
     scree::StateArray more = array;
     std::visit([](auto& numbers) { numbers.emplace_back(); }, more.values);
     longer.put(path, more);
-    CHECK(restore(longer) != "");
+    CHECK(restore(longer) != "no error");
     other_type.put(path, {std::vector<float>(array.size()), array.shape, array.unit});
-    CHECK(restore(other_type) != "");
+    CHECK(restore(other_type) != "no error");
   }
 }
 
@@ -297,7 +297,7 @@ TEST_CASE("a state with pairs of bodies that do not exist is refused") {
   numbers.back() = 1u << 31;
   State damaged = state;
   damaged.put(path, pairs);
-  CHECK_THAT(message_of([&] { Simulation(scene, damaged); }), Catch::Matchers::Contains("'contacts/"));
+  CHECK_THAT(error_line([&] { Simulation(scene, damaged); }), Catch::Matchers::Contains("'contacts/"));
 }
 
 TEST_CASE("a changed number in a state is noticed") {
@@ -310,7 +310,7 @@ TEST_CASE("a changed number in a state is noticed") {
   scree::StateArray numbers = state.at(path);
   std::get<std::vector<double>>(numbers.values).at(0) += 1e-9;
   state.put(path, numbers);
-  CHECK_THAT(message_of([&] { Simulation(scene, state); }), Catch::Matchers::Contains("state_hash"));
+  CHECK_THAT(error_line([&] { Simulation(scene, state); }), Catch::Matchers::Contains("state_hash"));
 }
 
 TEST_CASE("numbers of a state with which a simulation cannot go on are refused by their names") {
@@ -324,7 +324,7 @@ TEST_CASE("numbers of a state with which a simulation cannot go on are refused b
     scree::StateArray array = state.at(path);
     std::get<std::vector<double>>(array.values).at(0) = number;
     damaged.put(path, array);
-    return message_of([&] {
+    return error_line([&] {
       Scene present = scene;
       present.bodies = scree::bodies_at_start(damaged);
       scree::present_bodies(damaged);
@@ -347,6 +347,6 @@ TEST_CASE("numbers of a state with which a simulation cannot go on are refused b
   scree::StateArray material = state.at("bodies/material");
   std::get<std::vector<std::uint32_t>>(material.values).at(0) = 1u << 31;
   other_material.put("bodies/material", material);
-  CHECK_THAT(message_of([&] { scree::present_bodies(other_material); }),
+  CHECK_THAT(error_line([&] { scree::present_bodies(other_material); }),
              Catch::Matchers::Contains("'bodies/material'"));
 }

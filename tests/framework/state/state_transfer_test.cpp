@@ -12,9 +12,9 @@
 // States that others have written: any number, shape and unit may be in them.
 
 using namespace scree;
+using scree::test::error_line;
 using scree::test::heap;
 using scree::test::infinite;
-using scree::test::message_of;
 
 namespace {
 
@@ -23,7 +23,7 @@ std::string refusal_of(const std::vector<T>& values, const StoredRange& range) {
   State state;
   state.put("group/numbers", {values, {values.size()}, "m"});
   std::vector<T> read;
-  return message_of(
+  return error_line(
       [&] { StateTransfer::restoring_from(state).below("group").rows("numbers", "m", read, 1, range); });
 }
 
@@ -34,29 +34,29 @@ TEST_CASE("what is restored is finite, unless its owner says otherwise", "[state
     CHECK(refusal_of<double>({1, wrong}, stored::finite)
               .starts_with("'group/numbers' has the number " + fmt::format("{}", wrong) +
                            ", which is not finite; "));
-    CHECK(refusal_of<float>({float(wrong)}, stored::finite) != "");
-    CHECK(refusal_of<double>({wrong}, stored::positive) != "");
-    CHECK(refusal_of<double>({1, wrong}, stored::any) == "");
+    CHECK(refusal_of<float>({float(wrong)}, stored::finite) != "no error");
+    CHECK(refusal_of<double>({wrong}, stored::positive) != "no error");
+    CHECK(refusal_of<double>({1, wrong}, stored::any) == "no error");
   }
-  CHECK(refusal_of<double>({1e308, -1e308, 0}, stored::finite) == "");
+  CHECK(refusal_of<double>({1e308, -1e308, 0}, stored::finite) == "no error");
 }
 
 TEST_CASE("what is restored lies in the range that its owner gives", "[state]") {
   CHECK(refusal_of<double>({0}, stored::positive).find("which is not above 0 and finite") !=
         std::string::npos);
-  CHECK(refusal_of<double>({5e-324}, stored::positive) == "");
+  CHECK(refusal_of<double>({5e-324}, stored::positive) == "no error");
   CHECK(refusal_of<double>({-5e-324}, stored::non_negative).find("which is not finite and 0 or more") !=
         std::string::npos);
-  CHECK(refusal_of<double>({0, -0.0}, stored::non_negative) == "");
+  CHECK(refusal_of<double>({0, -0.0}, stored::non_negative) == "no error");
   CHECK(refusal_of<std::uint64_t>({7, 8}, stored::at_most(7)).find("8, which is not from 0 to 7") !=
         std::string::npos);
-  CHECK(refusal_of<std::uint64_t>({~0ull}, stored::at_most(7)) != "");
-  CHECK(refusal_of<std::int32_t>({-1}, stored::at_most(7)) != "");
-  CHECK(refusal_of<std::uint64_t>({0, 7}, stored::at_most(7)) == "");
+  CHECK(refusal_of<std::uint64_t>({~0ull}, stored::at_most(7)) != "no error");
+  CHECK(refusal_of<std::int32_t>({-1}, stored::at_most(7)) != "no error");
+  CHECK(refusal_of<std::uint64_t>({0, 7}, stored::at_most(7)) == "no error");
   State state;
   state.put("truth", {std::vector<std::uint8_t>{2}, {}, ""});
   bool truth = false;
-  CHECK(message_of([&] { StateTransfer::restoring_from(state).value("truth", "", truth); }) != "");
+  CHECK(error_line([&] { StateTransfer::restoring_from(state).value("truth", "", truth); }) != "no error");
 }
 
 TEST_CASE("what is restored has the unit and the shape with which it is saved", "[state]") {
@@ -66,14 +66,14 @@ TEST_CASE("what is restored has the unit and the shape with which it is saved", 
   std::vector<double> x, four(4), three(3);
   from.rows("x", "m", x, 2);
   CHECK(x == std::vector<double>{1, 2, 3, 4});
-  CHECK(message_of([&] { from.rows("x", "m", x); }).find("has the shape (2, 2) instead of (4)") !=
+  CHECK(error_line([&] { from.rows("x", "m", x); }).find("has the shape (2, 2) instead of (4)") !=
         std::string::npos);
-  CHECK(message_of([&] { from.rows("x", "m", x, 4); }) != "");
-  CHECK(message_of([&] { from.rows("x", "mm", x, 2); }).find("has another unit than \"mm\"") !=
+  CHECK(error_line([&] { from.rows("x", "m", x, 4); }) != "no error");
+  CHECK(error_line([&] { from.rows("x", "mm", x, 2); }).find("has another unit than \"mm\"") !=
         std::string::npos);
-  CHECK(message_of([&] { from.sized_rows("x", "m", three, 2); }).find("has 4 values instead of 3") !=
+  CHECK(error_line([&] { from.sized_rows("x", "m", three, 2); }).find("has 4 values instead of 3") !=
         std::string::npos);
-  CHECK(message_of([&] { from.numbers("x", "m", four.data(), 4); }) != "");
+  CHECK(error_line([&] { from.numbers("x", "m", four.data(), 4); }) != "no error");
 }
 
 TEST_CASE(
@@ -103,7 +103,7 @@ TEST_CASE(
     changed.put(path, wrong);
     changed.put("state_hash", {std::vector<std::uint64_t>{0}, {}, ""});
     INFO(path);
-    CHECK(message_of([&] {
+    CHECK(error_line([&] {
             scene.bodies = bodies_at_start(changed);
             Simulation(scene, changed);
           }).find("; ") != std::string::npos);
@@ -125,18 +125,18 @@ TEST_CASE("a state with the planes, the periods or the orientations of no simula
     std::get<std::vector<decltype(number)>>(array.values)[0] = number;
     changed.put(path, array);
     changed.put("state_hash", {std::vector<std::uint64_t>{0}, {}, ""});
-    return message_of([&] { Simulation(scene, changed); });
+    return error_line([&] { Simulation(scene, changed); });
   };
   CHECK(refusal_with("bodies/orientation", 3.0).find("has a quaternion whose length is not 1") !=
         std::string::npos);
   CHECK(refusal_with("walls/0/first_plane", std::uint64_t(7)).find("is not that of the boundary here") !=
         std::string::npos);
-  CHECK(refusal_with("walls/0/plane_count", std::uint64_t(1) << 60) != "");
+  CHECK(refusal_with("walls/0/plane_count", std::uint64_t(1) << 60) != "no error");
   CHECK(refusal_with("walls/domain_lower", -7.0).find("is not that of the periodic boundaries here") !=
         std::string::npos);
-  CHECK(refusal_with("clock/steps", ~std::uint64_t(0)) != "");
-  CHECK(refusal_with("clock/forces_at", std::uint8_t(2)) != "");
-  CHECK(refusal_with("neighbours/body_travel", -1.0) != "");
+  CHECK(refusal_with("clock/steps", ~std::uint64_t(0)) != "no error");
+  CHECK(refusal_with("clock/forces_at", std::uint8_t(2)) != "no error");
+  CHECK(refusal_with("neighbours/body_travel", -1.0) != "no error");
   if (!periodic)
     CHECK(refusal_with("walls/planes/normal", 2.0).find("has a vector whose length is not 1") !=
           std::string::npos);

@@ -86,6 +86,6 @@ TEST_CASE("a contact of bodies that are apart is refused") {
   const Simulation apart(scene);
   Present present(apart);
   present.packing.contacts.push_back({0, 1, {}});
-  CHECK(message_of([&] { apart.state_at_rest(present.packing); }) ==
+  CHECK(error_line([&] { apart.state_at_rest(present.packing); }) ==
         "bodies 0 and 1 do not touch where they are at rest; list only pairs that touch");
 }

@@ -44,8 +44,8 @@ struct WallLoad {
   Vec3 force;  // (N)
 };
 
-// Output of a call, initialised to 0. `kinetic` is the present energy of the walls (J); `work` done on the
-// scene by pressing forces and prescribed motion, and `dissipated` by viscosity, are those of the call (J).
+// Output of a call, initialised to 0. `kinetic` is the present energy of the walls (J); `work` (J) is done on
+// the scene by pressing forces and prescribed motion, and `dissipated` (J) by viscosity, in this call.
 using BoundaryEnergy = scree_boundary_energy;
 
 // All walls of the scene, and its extent. In `begin_step` walls of preceding boundaries have already moved.

@@ -33,7 +33,7 @@ struct NotListedInReads {};
 template <std::uint32_t reads, scree_contact_input column, class T>
 using Input = std::conditional_t<(reads & (1u << column)) != 0, T, NotListedInReads<column>>;
 
-// Input of a law: one touching pair. `reads` is that of the kernel; overlap, step and kick are always there.
+// Input of a law: one touching pair. `reads` comes from the kernel; overlap, step and kick are always there.
 template <int D, class T, std::uint32_t reads>
 struct Contact {
   using Vector = Vec<D, T>;

@@ -40,7 +40,7 @@ struct SlipStep {
 
 // Returns spring and force after slip. The slip direction turns within the step, from the direction of the
 // old spring towards ξ′ + s: a radial return of the trial spring ξ alone lags by half a step. To second order
-// in the step h, and for any amount of slip, the direction of the new spring is that of
+// in the step h, and for any amount of slip, the new spring has the direction of
 //   p = ξ + ½ y h (ξ′ + s),   y = slip/|ξ| = ½ (ξ²/L² − 1),   L = C/k;
 // the code computes 4 L² p, which saves a division. The total force is along
 //   k ξ + γ v_t = (C/|p|) (p + |p| γ/C v_t),   |p| = ½ L (1 + ξ²/L²) to second order,

@@ -47,7 +47,7 @@ struct Layers {
   // State: for each layer `header` numbers, then for each body the number of its layer, from 1, or 0.
   std::uint64_t state_size(const scree_view& view) const { return header * count + view.body_count; }
 
-  // Height of body i above `from` (m); that of its nearest image if the axis is periodic.
+  // Height of body i above `from` (m); the height of its nearest image if the axis is periodic.
   double height(const scree_view& view, std::uint64_t i, double from) const {
     const double off = view.position[axis][i] - from, period = view.period[axis];
     return period > 0 ? off - period * std::round(off / period) : off;

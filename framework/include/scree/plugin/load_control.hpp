@@ -18,7 +18,7 @@ struct LoadControl {
   // force. Returns an s of at most v|step|: of the multiples of v|step|/n the one whose load is nearest to
   // the pressing force, if on_grid; else where they are equal up to 1e-9 of `press` (N). If no s reaches the
   // pressing force, the one of v|step| or −v|step| that is nearest. guess: s (m) from which the search
-  // begins; stiffness: that of the contacts (N/m), for the next search too, or 0.
+  // begins; stiffness: the stiffness of the contacts (N/m), for the next search too, or 0.
   template <class Excess>
   double displacement(const Excess& excess, double guess, double step, double press, bool on_grid,
                       double& stiffness) const {

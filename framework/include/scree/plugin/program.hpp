@@ -17,7 +17,7 @@ namespace scree {
 //   ramp      {3, from, to, duration (s)}: linear, then constant
 //   table     {4, t0, v0, t1, v1, ...}: linear between the points, constant outside
 // Drives: mean + amplitude w(t), with the waves w of waveform.hpp; they rise smoothly within a time, and
-// those that end fall likewise.
+// waves that end fall likewise.
 //   drive     {5, mean, amplitude, rise (s), frequency_hz, phase (rad)}: a sine
 //   chirp     {6, mean, amplitude, rise (s), from_hz, to_hz, duration (s), logarithmic (0 or 1)}
 //   gaussian  {7, mean, amplitude, at (s), width (s)}

@@ -113,7 +113,7 @@ struct WallMotion {
     return {0, begun.mid_speed, superposes() ? end + p.speed : end, end};
   }
 
-  // After a change of parameters: s' is that of before, or, if the wall was not pressed, the wall's speed.
+  // After a change of parameters: s' stays as before, or, if the wall was not pressed, the wall's speed.
   double free_speed_after(const WallMotion& before, double speed, double free_speed) const {
     if (control != pressed) return 0;
     return before.control == pressed ? free_speed : speed;

@@ -24,8 +24,8 @@ struct TileJob {
 using EvaluateTile = void (*)(const TileJob&);
 
 // The evaluation for the features of a scene, compiled for the best instruction level that the processor
-// supports, or for the one that SCREE_LEVEL selects. All levels give the same bits. Throws Error if none of
-// those that are built suits.
+// supports, or for the one that SCREE_LEVEL selects. All levels give the same bits. Throws Error if the
+// processor supports no level of this build.
 EvaluateTile tile_evaluation(const Forces::Features& features);
 
 // The same for the instruction level x86-64-v<level>, where that is built; 1 is the baseline.

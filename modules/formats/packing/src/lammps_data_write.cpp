@@ -19,7 +19,7 @@ double density_of(const Body& body, const ExportOptions& options) {
   if (std::isnan(density)) density = options.density;
   if (std::isfinite(density) && density > 0.0) return density;
   throw Error("packing", fmt::format("body {} has no density", body.id),
-              "give one for the export, such as that of its material");
+              "give one for the export, such as the density of its material");
 }
 
 // LAMMPS and LIGGGHTS accept an atom only below the upper bound of the box, and in two dimensions only a box

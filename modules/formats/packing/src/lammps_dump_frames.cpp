@@ -29,7 +29,8 @@ void require_si(TextReader& reader) {
 
 }  // namespace
 
-// Units and time precede the timestep, so a frame begins with the first item after the previous atoms.
+// Units and time precede the timestep, so a frame begins with the first item after the previous atoms or
+// entries (of dump local).
 std::vector<DumpFrame> find_frames(TextReader& reader) {
   std::vector<DumpFrame> frames;
   bool complete = true;
@@ -39,7 +40,7 @@ std::vector<DumpFrame> find_frames(TextReader& reader) {
       reader.fail(1, "not a text dump: it does not begin with 'ITEM:'", "give the output of dump custom");
     if (!item) continue;
     if (complete) frames.push_back({reader.position(), 0});
-    complete = reader.line().starts_with("ITEM: ATOMS");
+    complete = reader.line().starts_with("ITEM: ATOMS") || reader.line().starts_with("ITEM: ENTRIES");
     if (reader.line().starts_with("ITEM: UNITS")) require_si(reader);
     if (reader.line().starts_with("ITEM: TIMESTEP") && reader.next())
       frames.back().timestep = reader.integer(reader.trimmed(0, reader.line().size()), "timestep");

@@ -62,7 +62,7 @@ Campaign branched(Campaign campaign, const PluginHost& host) {
     place = place_of[place];
     const std::string path =
         fmt::format("\"{}/{}\"", keys[place], CampaignDirectory::final_state);  // as in SCREE_STATE_PATH
-    campaign.points[k].settings.push_back({"particles.state", path, campaign.scenario_place});
+    campaign.points[k].settings.push_back({campaign.state_key, path, campaign.scenario_place});
   }
   return campaign;
 }

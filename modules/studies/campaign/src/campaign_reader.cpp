@@ -82,7 +82,7 @@ void check_sources(const Campaign& c) {
   }
   const auto check = [&](const Setting& setting) {
     if (!c.seeds.empty() && setting.key == "scene.seed") throw set_elsewhere(setting, "seeds");
-    if (c.preparation && setting.key == "particles.state") throw set_elsewhere(setting, "[prepare]");
+    if (c.preparation && setting.key == c.state_key) throw set_elsewhere(setting, "[prepare]");
   };
   for (const Setting& setting : c.fixed) check(setting);
   for (const Parameter& parameter : c.parameters) check(parameter.values.front());
@@ -166,6 +166,23 @@ std::shared_ptr<const Campaign> read_preparation(const Table& root, const Campai
   return preparation;
 }
 
+// The key by which the scenario takes the state of its preparation: of its only [[particles]], or of the one
+// without a lattice, file or random.
+std::string state_key_of(const Campaign& c) {
+  const Document document = Document::load(c.scenario);
+  const std::vector<Table> all = document.root().tables("particles");
+  if (all.size() < 2) return c.state_key;
+  std::vector<std::string> free;
+  for (std::size_t k = 0; k < all.size(); ++k)
+    if (!all[k].has("lattice") && !all[k].has("file") && !all[k].has("random"))
+      free.push_back(fmt::format("particles[{}].state", k));
+  if (free.size() == 1) return free.front();
+  throw Error(c.scenario_place,
+              fmt::format("{} of its {} tables [[particles]] can take the state of [prepare]",
+                          free.empty() ? "none" : "more than one", all.size()),
+              "leave lattice, file and random out of one of them");
+}
+
 // Cases vary slowest, seeds fastest.
 std::vector<std::size_t> preparations_of(const Campaign& c) {
   std::vector<std::size_t> all;
@@ -223,6 +240,7 @@ Campaign read_campaign(const std::filesystem::path& path, const std::vector<std:
   c.cases = read_cases(root);
   c.preparation = read_preparation(root, c, table.place("seeds"), given.preparation);
   document.refuse_unused();
+  if (c.preparation) c.state_key = state_key_of(c);
   check_sources(c);
   check_count(root, c);
   c.points = make_points(c, table.place("seeds"));

@@ -106,6 +106,34 @@ std::string scenario_of(const State& state) {
   return text;
 }
 
+// A scenario with all lengths of its stages set to 1, by which two that differ in these alone are the same.
+std::string without_lengths(const std::string& text) {
+  const document::Document document = document::Document::parse(text, scenario_file);
+  std::vector<std::string> equal;
+  const auto add = [&](const document::Table& table, const std::string& path) {
+    for (const char* key : {"duration", "cycles", "at_most", "otherwise"})
+      if (table.has(key)) equal.push_back(fmt::format("{}.{}=1", path, key));
+  };
+  const std::vector<document::Table> stages = document.root().tables("stage");
+  for (std::size_t k = 0; k < stages.size(); ++k) {
+    const std::string path = stages.size() == 1 ? "stage" : fmt::format("stage[{}]", k);
+    add(stages[k], path);
+    if (stages[k].is_table("until")) add(stages[k].table("until"), path + ".until");
+  }
+  if (document.root().is_table("time")) add(document.root().table("time"), "time");
+  return document::Document::parse(text, scenario_file, equal).resolved_text();
+}
+
+// The scenario of a state with the lengths in run.json, which has them as soon as a run is prolonged.
+std::string with_recorded_lengths(const std::string& of_state, const std::string& recorded) {
+  try {
+    if (!recorded.empty() && without_lengths(of_state) == without_lengths(recorded)) return recorded;
+  } catch (const Error&) {
+    // A record that was edited.
+  }
+  return of_state;
+}
+
 // The plan of a run with the changes; `read` reads it with overrides.
 template <class Read>
 scenario::Plan changed_plan(const ResumeChanges& changes, const State* state, const Read& read) {
@@ -120,7 +148,9 @@ scenario::Plan changed_plan(const ResumeChanges& changes, const State* state, co
 
 scenario::Plan plan_of(const Checkpoints::Latest& latest, const RecordedBodies& bodies,
                        const RunOptions& options, const ResumeChanges& changes, PluginHost& host) {
-  const std::string text = scenario_of(latest.state), name = latest.path.string() + " (scenario)",
+  const std::string text =
+                        with_recorded_lengths(scenario_of(latest.state), recorded_in(options.out).scenario),
+                    name = latest.path.string() + " (scenario)",
                     restored = restored_scenario(options.out, text, options.on_warning);
   return changed_plan(changes, &latest.state, [&](const std::vector<std::string>& overrides) {
     scenario::Plan plan = scenario::read_plan_again(text, name, overrides, bodies, host);

@@ -46,10 +46,13 @@ using document::Document;
 // Paths of files of bodies by their keys, "particles[1].file".
 std::map<std::string, std::string> body_paths(const Document& document) {
   std::map<std::string, std::string> paths;
-  for (const document::Table& particles : document.root().tables("particles"))
-    for (const char* key : {"file", "state"})
-      if (particles.is_string(key))
-        paths[fmt::format("{}.{}", particles.path(), key)] = particles.string(key);
+  const auto add = [&](const document::Table& table, const char* key) {
+    if (table.is_string(key)) paths[fmt::format("{}.{}", table.path(), key)] = table.string(key);
+  };
+  for (const document::Table& particles : document.root().tables("particles")) {
+    for (const char* key : {"file", "state"}) add(particles, key);
+    if (particles.is_table("springs")) add(particles.table("springs"), "file");
+  }
   return paths;
 }
 

@@ -1,3 +1,4 @@
+#include "error_line.hpp"
 #include "signals.hpp"
 
 #include <array>
@@ -13,6 +14,7 @@
 using namespace scree;
 using namespace scree::signals;
 using scree::test::equal_times;
+using scree::test::error_line;
 using scree::test::random_times;
 using scree::test::sine;
 using scree::test::turned_by;
@@ -50,15 +52,6 @@ LockInOptions options_of(int drift_degree) {
   options.frequency = driven_frequency;
   options.drift_degree = drift_degree;
   return options;
-}
-
-std::string message_of(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const scree::Error& error) {
-    return error.what();
-  }
-  return "";
 }
 
 }  // namespace
@@ -144,25 +137,25 @@ TEST_CASE("a lock-in goes on from its numbers to the same bits", "[lock_in]") {
 
 TEST_CASE("a lock-in refuses options out of range and samples that cannot answer", "[lock_in]") {
   LockInOptions options;
-  CHECK(message_of([&] { LockIn::state_size(options); }) ==
+  CHECK(error_line([&] { LockIn::state_size(options); }) ==
         "lock-in: frequency 0; give a frequency above 0 in Hz");
   options.frequency = 10;
-  CHECK(message_of([&] { LockIn::state_size(options); }).starts_with("lock-in: duration 0; "));
+  CHECK(error_line([&] { LockIn::state_size(options); }).starts_with("lock-in: duration 0; "));
   options.duration = 1, options.harmonics = 4;
-  CHECK(message_of([&] { LockIn::state_size(options); }) == "lock-in: harmonics 4; give 1 to 3");
+  CHECK(error_line([&] { LockIn::state_size(options); }) == "lock-in: harmonics 4; give 1 to 3");
   options.harmonics = 3, options.drift_degree = -1;
-  CHECK(message_of([&] { LockIn::state_size(options); }) == "lock-in: drift degree -1; give 0 to 3");
+  CHECK(error_line([&] { LockIn::state_size(options); }) == "lock-in: drift degree -1; give 0 to 3");
   options.drift_degree = 1;
   std::vector<double> state(3);
-  CHECK(message_of([&] { LockIn(options, state); }).starts_with("lock-in: a state of 3 numbers; give "));
-  CHECK(message_of([&] { lock_in(equal_times(7, 0.01), equal_times(7, 1), options); }) ==
+  CHECK(error_line([&] { LockIn(options, state); }).starts_with("lock-in: a state of 3 numbers; give "));
+  CHECK(error_line([&] { lock_in(equal_times(7, 0.01), equal_times(7, 1), options); }) ==
         "lock-in: 7 samples for 8 unknowns; give more samples");
   // Four samples per period do not tell the third harmonic from the first.
-  CHECK(message_of([&] {
+  CHECK(error_line([&] {
           lock_in(equal_times(80, 0.025), equal_times(80, 1), options);
         }).starts_with("lock-in: the 80 samples do not tell drift and 3 harmonics of 10 Hz apart; "));
   const auto nearly = equal_times(80, 0.025 * (1 + 1e-9));
-  CHECK(message_of([&] { lock_in(nearly, nearly, options); }).find(" do not tell drift ") !=
+  CHECK(error_line([&] { lock_in(nearly, nearly, options); }).find(" do not tell drift ") !=
         std::string::npos);
   options.harmonics = 1;
   const LockInResult result = lock_in(equal_times(80, 0.025), equal_times(80, 1), options);
@@ -179,7 +172,7 @@ TEST_CASE("an offset takes no digits from the residual", "[lock_in]") {
 }
 
 TEST_CASE("values that are too large for their squares are refused", "[lock_in]") {
-  CHECK(message_of([&] {
+  CHECK(error_line([&] {
           lock_in(equal_times(100, 1e-3), std::vector<double>(100, 0), options_of(1));
           auto x = std::vector<double>(100, 0);
           x[3] = 1e200;

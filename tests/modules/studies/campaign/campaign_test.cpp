@@ -39,6 +39,30 @@ TEST_CASE("a campaign has one preparation per seed, with its own settings", "[ca
   CHECK(c.points[0].name == "normal_stiffness=10000,seed=7");
 }
 
+TEST_CASE("of several [[particles]], the table without other bodies takes the state of the preparation",
+          "[campaign]") {
+  const auto scene_with = [](const std::string& particles) {
+    std::string scene = test::discs;
+    const std::size_t begin = scene.find("[particles]"), end = scene.find("\n[", begin + 1);
+    REQUIRE(end != scene.npos);
+    return scene.replace(begin, end + 1 - begin, particles);
+  };
+  const std::string wall = "[[particles]]\nname = 'rough'\nradius = 0.01\nlattice = { count = [1, 1] }\n";
+  const auto refusal = [&](const std::string& particles) {
+    const CampaignFolder folder(prepare, scene_with(particles));
+    folder.folder().write("prepare.toml", test::discs);
+    return folder.refusal();
+  };
+  const CampaignFolder folder(prepare, scene_with(wall + "[[particles]]\nname = 'bed'\n"));
+  folder.folder().write("prepare.toml", test::discs);
+  const Campaign c = branched(folder.read(), test::host());
+  REQUIRE(c.points.size() == 1);
+  CHECK(c.points[0].find("particles[1].state"));
+  CHECK_FALSE(c.points[0].find("particles.state"));
+  CHECK_THAT(refusal(wall + wall), Catch::Contains("none of its 2 tables [[particles]] can take the state"));
+  CHECK_THAT(refusal("[[particles]]\n[[particles]]\n"), Catch::Contains("more than one of its 2 tables"));
+}
+
 TEST_CASE("cases may have preparations of their own, and share those that are the same", "[campaign]") {
   const CampaignFolder folder(
       "seeds = [7, 8]\n[[case]]\nname = 'soft'\nprepare.contact.normal_stiffness = 1e3\n"

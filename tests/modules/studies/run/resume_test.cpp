@@ -308,6 +308,22 @@ TEST_CASE("a state of a run that does not fit is refused, and nothing is changed
   CHECK(text_of(bench.options.out / "run.json") == record);
 }
 
+TEST_CASE("a length that was set when a run went on holds when it goes on from a stage", "[run]") {
+  const Bench bench(two_stages);
+  bench.run();
+  RunOptions options = bench.options;
+  std::vector<std::string> warnings;
+  options.on_warning = [&](const std::string& line) { warnings.push_back(line); };
+  ResumeChanges longer;
+  longer.overrides = {"stage.second.duration=3e-4"};
+  CHECK(resume_run(options, longer, host()).stages.back().steps == 30);
+  ResumeChanges from;
+  from.from = "first";
+  options.overwrite = true;
+  CHECK(resume_run(options, from, host()).stages.back().steps == 30);
+  CHECK(warnings.empty());
+}
+
 TEST_CASE("a run that is resumed in the middle of a record measures the same bits", "[run]") {
   const std::vector<std::string> settings = {
       "time.duration=1",          "probe.response.from=0.2",    "probe.response.periods=15",

@@ -48,7 +48,7 @@ typedef struct scree_displaced_loads {
   uint32_t struct_size;
   void* host; /* first argument of `load` */
   /* Load of a plane of the boundary after a displacement (m) at constant velocity since the start of the step,
-   * from where the bodies are at its end: that of the force evaluation which follows, up to round-off, if
+   * from where the bodies are at its end: what the next force evaluation will find, up to round-off, if
    * `begin_step` then sets velocity and mid_velocity to displacement / step. Keeps nothing. */
   void (*load)(void* host, uint32_t plane, const double* displacement, scree_load* load);
 } scree_displaced_loads;
@@ -98,7 +98,7 @@ typedef struct scree_linear_plane {
   double mass;           /* (kg) m >= 0 */
   double viscosity;      /* (kg/s) γ >= 0 */
   double pressing_force; /* (N) in the direction, at the time of the step */
-  double speed;          /* (m/s) d' at that time; of a plane that is not free that of the plane */
+  double speed;          /* (m/s) d' at that time; for a plane that is not free, its own speed */
 } scree_linear_plane;
 
 /* Output of `linear`; before the call planes are prescribed along their normals, and all numbers are 0. */

@@ -35,7 +35,7 @@ enum {
   SCREE_NEEDS_ORIENTATIONS = 1u << 2 /* the scene then carries and integrates them */
 };
 
-/* The scene at the end of a step, or at the start; with position_verlet, forces, loads and contacts are those of
+/* The scene at the end of a step, or at the start; with position_verlet, forces, loads and contacts are values of
  * half a step earlier. All pointers are valid during the call only. Body i is the same body, and plane w the same
  * plane, in all views of a run. Arrays may be NULL if their count is 0. */
 typedef struct scree_view {

@@ -49,7 +49,7 @@ vtkNew<vtkPolyData> arrow_points(const Frame& frame, const ArrowField& arrows, c
 
 ColorField arrow_lengths(const Frame& frame, const ArrowField& arrows) {
   if (arrows.vectors.size() != 3 * frame.particle_count())
-    throw Error("arrows: their number differs from that of the particles; give one for each");
+    throw Error("arrows: their number differs from the number of particles; give one for each");
   ColorField field = {.title = arrows.title, .values = {}, .lower = 0, .upper = 1, .whole_numbers = false};
   double largest = 0;
   for (std::size_t i = 0; i < frame.particle_count(); ++i) {

@@ -31,7 +31,7 @@ bool shrinks_spheres(const Frame& frame, const RenderOptions& options) {
   return options.show_contacts && frame.dimension == 3;
 }
 
-// Times of pictures are those of steps, which need not be multiples of the spacing.
+// Pictures are taken at steps, whose times need not be multiples of the spacing.
 std::string time_text(double time, double spacing) {
   if (!(spacing > 0)) return fmt::format("{:.6g}", time);
   const double unit = std::pow(10.0, std::floor(std::log10(spacing) + 1e-9) - 2);

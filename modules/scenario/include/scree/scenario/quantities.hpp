@@ -21,7 +21,7 @@ struct SeriesQuantity {
 };
 SeriesQuantity series_quantity(const std::string& name);
 
-// Quantities that every run reports in run.json, by name. NaN for those that the energy audit has, in a scene
+// Quantities that every run reports in run.json, by name. NaN for quantities of the energy audit, in a scene
 // without it.
 std::vector<std::pair<std::string, double>> run_quantities(const Simulation& simulation);
 std::vector<std::string> run_quantity_names();

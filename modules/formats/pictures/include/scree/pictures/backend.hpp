@@ -31,7 +31,7 @@ class SnapshotBackend {
   virtual void render(const Frame& frame, const RenderOptions& options,
                       const std::filesystem::path& png_file) = 0;
 
-  // The same with an arrow at each body, whose colours are those of their lengths, and bodies drawn small and
+  // The same with an arrow at each body, coloured by its length, and bodies drawn small and
   // pale.
   virtual void render_arrows(const Frame& frame, const ArrowField& arrows, const RenderOptions& options,
                              const std::filesystem::path& png_file) = 0;

@@ -62,6 +62,7 @@ struct Campaign {
   // [prepare]: a campaign with one point per seed, and per case if any case has settings for it. The points
   // of this campaign begin from its final states. Null without [prepare].
   std::shared_ptr<const Campaign> preparation = nullptr;
+  std::string state_key = "particles.state";  // by which the scenario takes that state
 
   // Keys in which points may differ: of the cases, then the parameters.
   std::vector<std::string> varying_keys() const;
