@@ -49,7 +49,7 @@ def date_of(path):
 class Results:
     """The rows of results.csv in a folder, or else in the folder of the paper. A row that `put`
     measures again keeps its unit, paper and command; its source becomes `runs`. Rows of numbers that were
-    entered from a study log have the source `recorded`."""
+    written down when the command was run have the source `recorded`."""
 
     def __init__(self, paper, folder):
         self.paper, self.folder, self.rows = os.path.abspath(paper), folder, {}

@@ -193,10 +193,10 @@ def column_collapse(run, others, path):
                     for each in [*others, run])
     print("  " + ", ".join(f"a = {a:.2f}: runout {r:.2f}" for a, r in points))
     law.plot(*zip(*points), "o", color=BLUE, markersize=8, label="this column and three others", zorder=3)
-    grid = [3 * k / 90 for k in range(91)]
-    discs = [2.5 * a if a < 2 else 3.25 * a**0.7 for a in grid]
-    law.plot(grid, discs, color=ORANGE, linewidth=2.5, label="discs: 2.5 a, 3.25 a$^{0.7}$ above 2")
-    law.plot(grid, [1.2 * a for a in grid], color=GREEN, linewidth=2.5, label="sand in a channel: 1.2 a")
+    law.plot([0, 2], [0, 5], color=ORANGE, linewidth=2.5, label="discs: 2.5 a, 3.25 a$^{0.7}$ above 2")
+    above = [2 + k / 60 for k in range(61)]
+    law.plot(above, [3.25 * a**0.7 for a in above], color=ORANGE, linewidth=2.5)
+    law.plot([0, 3], [0, 3.6], color=GREEN, linewidth=2.5, label="sand in a channel: 1.2 a")
     law.set(xlabel="height / width a of the column", ylabel="runout / width", xlim=(0, 3), ylim=(0, 7.5))
     law.legend(frameon=False, loc="upper left")
     save(figure, path)

@@ -46,12 +46,17 @@ TEST_CASE("what the page of limits says is not there is refused in a line", "[to
   REQUIRE(valid.status == 0);
   const std::vector<std::string> lines = refused_lines();
   CHECK(lines.size() > 8);
+  const std::regex unknown("(?:unknown key|no [a-z ]+ plug-in) '([a-z_]+)'");
   for (const std::string& line : lines) {
     CAPTURE(line);
     const Workspace w(scene_with(line));
     const Outcome outcome = w.scree("check scene.toml");
     CHECK(outcome.status == 2);
     CHECK(outcome.err.find('\n') == outcome.err.size() - 1);
+    // It is refused for what is not there, not for what is missing beside it.
+    std::smatch named;
+    REQUIRE(std::regex_search(outcome.err, named, unknown));
+    CHECK(line.find(named[1].str()) != line.npos);
   }
 }
 

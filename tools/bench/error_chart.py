@@ -75,7 +75,7 @@ def head(figure, machine):
     figure.suptitle("Error against time on one core: lower left is better", x=0.012, y=1 - 0.1 / height, ha="left",
                     va="top", fontsize=16)
     caption = ("Error of each code relative to its own converged result; each point is a time step, hollow points are not "
-               f"resolved by the reference.\nNumbers: time for an error of 1e-3 over that of scree. {machine}")
+               f"resolved by the reference.\nNumbers: time for an error of 1e-3 over the time of scree. {machine}")
     figure.text(0.012, 1 - 0.48 / height, caption, fontsize=10, color=GREY, va="top")
     figure.legend(handles=handles, loc="upper right", ncol=3, frameon=False, fontsize=12, bbox_to_anchor=(0.995, 1))
     figure.tight_layout(rect=(0, 0, 1, 1 - 0.75 / height), w_pad=1.5, h_pad=1.5)
