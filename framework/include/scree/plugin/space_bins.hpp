@@ -1,0 +1,136 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <string>
+
+#include <scree/plugin/averaging_frame.hpp>
+#include <scree/plugin/probe.hpp>
+#include <scree/plugin/walls.hpp>
+
+namespace scree {
+
+// The part of space in which a probe averages, and its bins: keys of the probe.
+//
+//   scree::SpaceBins bins;
+//   in declare    bins.declare(d);
+//   in prepare    bins.check(setup);
+//   in start      return bins.problem(view);
+//   in sample     const scree::AveragingFrame frame = bins.frame(view);
+struct SpaceBins {
+  int region = AveragingFrame::enclosed, along = 0, axis = 2, bins = 1;
+  std::optional<std::array<double, 3>> lower, upper, centre;
+  double radius = std::numeric_limits<double>::quiet_NaN(), length = radius, follow = 0;
+
+  void declare(Declaration& d) {
+    declare_region(d);
+    d.integer("bins", bins, "", Range{.minimum = 1, .maximum = 1000},
+              "of equal width, of which each has columns with its number");
+    d.choice("along", along, "x|y|z|radius", "direction of the bins; radius: shells of a sphere or cylinder");
+  }
+  // For a probe with one bin.
+  void declare_region(Declaration& d) {
+    d.choice("region", region, "enclosed|box|sphere|cylinder",
+             "where bodies and contacts count; enclosed: between the walls, or a period");
+    d.vector("lower", lower, "m", "lower corner of region = \"box\"");
+    d.vector("upper", upper, "m", "upper corner of region = \"box\"");
+    d.vector("centre", centre, "m", "of region = \"sphere\" or \"cylinder\"; with follow, from that body on");
+    d.number("radius", radius, "m", positive, "of region = \"sphere\" or \"cylinder\"").optional();
+    d.number("length", length, "m", positive, "of region = \"cylinder\" along its axis").optional();
+    d.choice("axis", axis, "x|y|z", "of region = \"cylinder\"");
+    d.number("follow", follow, "", body_ids, "id of a body with which the region moves").optional();
+  }
+
+  void check(const Setup& setup) const {
+    const bool round = region == AveragingFrame::sphere || region == AveragingFrame::cylinder;
+    if (region == AveragingFrame::box && !(lower && upper))
+      return setup.refuse("region = \"box\" lacks lower or upper; add both corners");
+    if (round && (!centre || std::isnan(radius)))
+      return setup.refuse("the region lacks centre or radius; add both");
+    if (region == AveragingFrame::cylinder && setup.dimension() == 2)
+      return setup.refuse("a 2D scene has no cylinders; choose region = \"sphere\", which is a circle there");
+    if (region == AveragingFrame::cylinder && std::isnan(length))
+      return setup.refuse("region = \"cylinder\" lacks length; add it");
+    if (along == AveragingFrame::radial && !round)
+      return setup.refuse("shells along = \"radius\" need region = \"sphere\" or \"cylinder\"; choose one");
+    if (along == 2 && setup.dimension() == 2) return setup.refuse("a 2D scene has no z axis; choose x or y");
+    if (region == AveragingFrame::cylinder && bins > 1 && along != AveragingFrame::radial && along != axis)
+      return setup.refuse("bins of a cylinder lie along its axis or its radius; choose one of them");
+    if (follow > 0 && region == AveragingFrame::enclosed)
+      return setup.refuse("a region that follows a body is a box, sphere or cylinder; choose one");
+    for (int k = 0; region == AveragingFrame::box && k < setup.dimension(); ++k)
+      if (!((*lower)[std::size_t(k)] < (*upper)[std::size_t(k)]))
+        return setup.refuse("upper is not above lower; exchange them");
+  }
+
+  // The problem and a remedy if the scene does not have the region, or "".
+  std::string problem(const scree_view& view) const {
+    if (follow > 0 && followed(view) == view.body_count)
+      return "the scene has no body with the id of follow; give an id of the scene";
+    const int dimension = int(view.dimension);
+    for (int k = 0; k < dimension; ++k) {
+      const char name = "xyz"[k];
+      if (region == AveragingFrame::enclosed && std::isnan(view.length[k]))
+        return std::string("the scene is not enclosed along ") + name +
+               "; give region = \"box\" with lower and upper";
+      if (region == AveragingFrame::enclosed && bins > 1 && along == k && view.period[k] > 0)
+        return std::string("bins along the periodic axis ") + name +
+               " have no first one; give region = \"box\" with lower and upper";
+      if (region != AveragingFrame::enclosed && view.period[k] > 0 &&
+          extent(k) > view.period[k] * (1 + 1e-12))
+        return std::string("the region is longer than the period along ") + name + "; give a smaller one";
+    }
+    return "";
+  }
+
+  AveragingFrame frame(const scree_view& view) const {
+    AveragingFrame f;
+    f.dimension = int(view.dimension);
+    f.region = AveragingFrame::Region(region);
+    f.along = along;
+    f.axis = axis;
+    f.bins = bins;
+    const std::uint64_t leader = follow > 0 ? followed(view) : view.body_count;
+    const Vec3 from = leader < view.body_count ? vector_of(view.position, leader) : Vec3{};
+    for (int k = 0; k < 3; ++k) set_axis(view, from, k, f);
+    if (centre) f.centre = from + Vec3{{(*centre)[0], (*centre)[1], (*centre)[2]}};
+    f.radius = radius;
+    f.length = length;
+    return f.with_edges();
+  }
+
+  // Name of a column of a bin, counted from 0: without a number if there is one bin.
+  std::string numbered(const char* name, std::uint32_t bin) const {
+    return bins == 1 ? name : std::string(name) + "_" + std::to_string(bin + 1);
+  }
+
+ private:
+  std::uint64_t followed(const scree_view& view) const {
+    for (std::uint64_t i = 0; i < view.body_count; ++i)
+      if (double(view.id[i]) == follow) return i;
+    return view.body_count;
+  }
+  double extent(int k) const {
+    if (region == AveragingFrame::box) return (*upper)[std::size_t(k)] - (*lower)[std::size_t(k)];
+    return region == AveragingFrame::cylinder && k == axis ? length : 2 * radius;
+  }
+  void set_axis(const scree_view& view, const Vec3& from, int k, AveragingFrame& f) const {
+    f.period[k] = view.period[k];
+    if (region == AveragingFrame::box && lower && upper) {
+      f.lower[k] = from[k] + (*lower)[std::size_t(k)];
+      f.upper[k] = from[k] + (*upper)[std::size_t(k)];
+      return;
+    }
+    // Between the walls, as they are now.
+    f.lower[k] = wall_height({view.planes, view.plane_count}, k, 1, view.plane_absent);
+    f.upper[k] = wall_height({view.planes, view.plane_count}, k, -1, view.plane_absent);
+    f.enclosed_length[k] = view.length[k];
+  }
+};
+
+}  // namespace scree

@@ -1,0 +1,57 @@
+// Which part of space bodies fill.
+
+#include <vector>
+
+#include <scree/plugin/space_bins.hpp>
+
+namespace {
+
+struct SolidFractionProbe {
+  scree::SpaceBins bins;
+
+  static constexpr scree::About about = {
+      "solid_fraction", "volume of bodies over the volume of each bin, exact for spheres that bins cut",
+      "solid_fraction = Σ_i V_i(bin)/V(bin)   V_i(bin): volume of sphere i in the bin, in 2D area of the disc\n"
+      "overlaps of bodies count twice; what reaches into a wall counts for the bin at the wall\n"
+      "with several bins solid_fraction_1, ..., volume_1, ...",
+      "closed forms of spheres cut by planes and spheres"};
+
+  void declare(scree::Declaration& d) { bins.declare(d); }
+  void prepare(const scree::Setup& setup) {
+    bins.check(setup);
+    if (bins.region == scree::AveragingFrame::cylinder ||
+        (bins.region == scree::AveragingFrame::sphere && bins.bins > 1 &&
+         bins.along != scree::AveragingFrame::radial))
+      setup.refuse(
+          "the volume of a sphere in a cylinder, or in a slice of a sphere, has no closed form; choose region = "
+          "\"box\" or shells along = \"radius\" of a sphere");
+  }
+  void describe(scree_probe_instance& instance) const {
+    instance.column_count = 2 * std::uint32_t(bins.bins);
+    instance.leaves_out = 1;
+  }
+  scree::ColumnName column(std::uint32_t c) const {
+    if (c % 2 == 0)
+      return {bins.numbered("solid_fraction", c / 2), "", "volume of bodies over the volume of the bin"};
+    return {bins.numbered("volume", c / 2), "m^3", "of the bin; in 2D its area (m²)"};
+  }
+  std::string start(const scree_view& view, double*) const { return bins.problem(view); }
+
+  void sample(const scree_view& view, const double*, double* row) const {
+    const scree::AveragingFrame frame = bins.frame(view);
+    std::vector<double> filled(std::size_t(frame.bins), 0);
+    for (std::uint64_t i = 0; i < view.body_count; ++i)
+      if (scree::counts(view, i))
+        frame.split_sphere(scree::vector_of(view.position, i), view.radius[i],
+                           [&](int bin, double volume) { filled[std::size_t(bin)] += volume; });
+    for (int bin = 0; bin < frame.bins; ++bin) {
+      const double volume = frame.volume(bin);
+      *row++ = filled[std::size_t(bin)] / volume;
+      *row++ = volume;
+    }
+  }
+};
+
+}  // namespace
+
+SCREE_PROBE_PLUGIN(SolidFractionProbe)
