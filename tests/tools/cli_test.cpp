@@ -105,7 +105,7 @@ TEST_CASE("describe lists all plug-ins by kind", "[tools]") {
   CHECK(list.status == 0);
   for (const char* part :
        {"contact laws, [[contact]]\n  ", "\n  linear_spring_dashpot ", "boundaries, [[boundary]]\n  box ",
-        "body forces, [[body_force]]\n", "\n  gravity ", "probes, [[probe]]\n  body_energy "})
+        "body forces, [[body_force]]\n", "\n  gravity ", "probes, [[probe]]\n  arrival "})
     CHECK(contains(list.out, part));
   CHECK_FALSE(contains(list.out, "cannot be used"));
 }
