@@ -59,7 +59,7 @@ TEST_CASE("the onset weights of a dashpot add up to the contact time") {
   }
 }
 
-TEST_CASE("onset weights count in kicks, displacements in steps; without a kick there are no weights") {
+TEST_CASE("onset weights count in kicks, displacements in steps, without a kick there are no weights") {
   // The first step of position Verlet evaluates after half a kick.
   const auto w = pairs({0.5, 1.5, 3}, 1, 0, 0, 2 * onset_step), still = pairs({0.5}, 1, 0, 0, 0);
   CHECK(w->input[SCREE_ONSET_WEIGHT][0] == Approx(1.5 * 0.25));

@@ -36,7 +36,7 @@ TEST_CASE("forces: two contacts of 100 and 300 N have known moments and classes"
   CHECK(std::isnan(none["mobilised_largest"]));
 }
 
-TEST_CASE("forces: of a packing, by sums of its own; friction is mobilised up to its limit", "[probe]") {
+TEST_CASE("forces: of a packing, by sums of its own, with friction mobilised up to its limit", "[probe]") {
   Simulation s(pressed_spheres());
   run(s, 3000);
   const ContactList list = s.contact_list();

@@ -31,8 +31,9 @@ TEST_CASE("stress: two discs pressed together have the stress of one force over 
   CHECK(sample(s, "stress", kinetic)["xx"] == Approx(2.0 / 3 / 12));
   kinetic.back().second = {1};
   CHECK(sample(s, "stress", kinetic)["xx"] == Approx((100 * 1.98 + 2.0 / 3) / 12));
-  // Of the first disc alone: the half of the branch that lies in it.
+  // Of one disc alone: the half of the branch that lies in it.
   CHECK(sample(s, "stress", box, {0, 1})["xx"] == Approx(100 * 0.99 / 12));
+  CHECK(sample(s, "stress", box, {1, 0})["xx"] == Approx(100 * 0.99 / 12));
   // Bins along the branch: from 1 to 2.98 m in bins of 1 m.
   Values bins = box;
   bins.insert(bins.end(), {{"bins", {4}}, {"along", {0}}});

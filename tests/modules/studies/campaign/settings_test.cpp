@@ -9,7 +9,7 @@ using test::names_of;
 using test::starts;
 using test::Texts;
 
-TEST_CASE("keys may be quoted, dotted or under headers; inline tables and inner lists are values",
+TEST_CASE("keys may be quoted, dotted or under headers, inline tables and inner lists are values",
           "[campaign]") {
   const Campaign c = CampaignFolder(
                          "[set]\n"
