@@ -100,8 +100,8 @@ struct StructureProbe {
   }
 
  private:
-  // Contacts of each body that are left when rattlers are taken away, one after the other; −1 for rattlers and
-  // for bodies that do not count.
+  // Contacts of each body that are left when rattlers are taken away, one after the other; −1 for rattlers
+  // and for bodies that do not count.
   std::vector<int> load_bearing(const scree_view& view) const {
     const auto stays = [&](std::uint64_t i) { return view.fixed && view.fixed[i]; };
     std::vector<int> contacts(view.body_count, 0);

@@ -13,7 +13,7 @@ struct IntegrationTraits {
   const char* name;     // as in a scenario: time.integrator
   const char* summary;  // one line: scheme, order, and how damping and contact onset change the order
   int evaluations;      // force evaluations per step
-  // Longest stable step divided by the longest of velocity Verlet, which for an oscillator with angular frequency ω
+  // Longest stable step over the one of velocity Verlet, which for an oscillator with angular frequency ω
   // and damping rate η is 2/(√(4η² + ω²) + 2η).
   double stable_step;
 };

@@ -57,8 +57,8 @@ class Simulation {
   void measure(Profile* profile);
 
   // Set new parameters for a law, boundary or body force by name, between steps; histories and wall positions
-  // are kept. Functions of time start again, but functions of the keys in `going_on` continue. Throw Error for an unknown
-  // name or for parameters that change the layout of the scene.
+  // are kept. Functions of time start again, but those of keys in `going_on` continue. Throw Error for an
+  // unknown name or for parameters that change the layout of the scene.
   void reconfigure_law(const std::string& name, const Parameters& parameters);
   void reconfigure_boundary(const std::string& name, const Parameters& parameters,
                             const std::vector<std::string>& going_on = {});

@@ -17,7 +17,7 @@ namespace scree {
 // than the skin.
 class NeighbourList {
  public:
-  // skin: the skin of the first search (m); it may grow to max_skin (m) if that costs less. max_skin = 0: fixed.
+  // skin: of the first search (m); it may grow to max_skin (m) if that costs less. max_skin = 0: fixed.
   NeighbourList(double skin, double max_skin, Contacts::Lookup lookup)
       : skin_(skin), choice_(skin, max_skin), lookup_(lookup) {}
 

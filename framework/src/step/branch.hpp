@@ -13,7 +13,7 @@
 namespace scree {
 
 // Takes what a new simulation needs from the state of another. If nothing differs, everything is taken over
-// and only clocks and balances begin anew; else the differences act as the keys of `set` do when a stage begins.
+// and only clocks and balances begin anew; else the differences act as `set` does when a stage begins.
 class Branch {
  public:
   // Throws Error if something in the state has no place in the scene.

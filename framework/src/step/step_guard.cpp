@@ -34,7 +34,7 @@ struct Smallest {
   std::size_t count = 0;
 };
 
-// Extremes over the bodies of a material that can move, and over its fixed bodies, whose mass is infinite in a
+// Extremes over bodies of a material that can move, and over its fixed ones, whose mass is infinite in a
 // contact.
 struct OfMaterial {
   Smallest moving, fixed;

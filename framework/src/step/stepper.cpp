@@ -26,7 +26,7 @@
 //   audit             EnergyAudit::add_step
 //   health            Stepper::step                finite, speed and overlap within their limits
 //
-// `position_verlet` evaluates at t + h/2: forces, loads and springs between steps are then values of mid-step,
+// `position_verlet` evaluates at t + h/2: forces, loads and springs between steps are then of mid-step,
 // and wall positions are extrapolated by h/2 for output.
 
 namespace scree {

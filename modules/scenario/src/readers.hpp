@@ -28,8 +28,8 @@
 #include <scree/scene.hpp>
 #include <scree/stage.hpp>
 
-// The readers of the tables of a scenario; the readers of one source stand together under its name. All throw Error at the
-// wrong key.
+// The readers of the tables of a scenario; those of one source stand under its name. All throw Error at
+// the wrong key.
 namespace scree::scenario {
 
 // Does work whose errors then name the position of the key in the file, or of the table if it has no such

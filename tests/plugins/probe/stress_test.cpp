@@ -44,8 +44,8 @@ TEST_CASE("stress: two discs pressed together have the stress of one force over 
   CHECK(parts["xx_4"] == 0);
 }
 
-// The force through a section at a height z is the load on the lid, minus friction of side walls and net forces of bodies
-// above it; the stress of a layer times its section is the mean over the layer.
+// The force through a section at a height z is the load on the lid, minus friction of side walls and net
+// forces of bodies above it; the stress of a layer times its section is the mean over the layer.
 TEST_CASE("stress: a layer bears the load on the lid but for friction at the sides and net forces",
           "[probe]") {
   Simulation s(pressed_spheres());

@@ -52,7 +52,8 @@ TEST_CASE("structure: points without order have g(r) = 1 up to the sides of a wi
         s, "structure",
         {{"region", {1}}, {"lower", {0, 0, 0}}, {"upper", {10, 10, 10}}, {"largest", {8}}, {"classes", {8}}});
     for (int k = 3; k <= 8; ++k) {
-      // Of N pairs the number varies by √N; the nearest class here has some 1500²/2 · 0.08 pairs in 3D, in 2D more.
+      // Of N pairs the number varies by √N; the nearest class here has some 1500²/2 · 0.08 pairs in 3D, in 2D
+      // more.
       INFO(dimension << " " << k);
       CHECK(std::abs(row["g_" + std::to_string(k)] - 1) <
             4 / std::sqrt(1500.0 * 1500 / 2 * (dimension == 2 ? 0.1 : 0.05)) + 0.01);

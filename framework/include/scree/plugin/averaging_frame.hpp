@@ -82,8 +82,8 @@ struct AveragingFrame {
     each_image(start, step, [&](const Vec3& from) { split_image(from, step, add); });
   }
 
-  // Calls add(bin, volume) for each bin that has a part of a sphere or disc. Of cylinders, and of spheres with
-  // bins along an axis, there is no closed form: see has_volumes().
+  // Calls add(bin, volume) for each bin that has a part of a sphere or disc. Of cylinders, and of spheres
+  // with bins along an axis, there is no closed form: see has_volumes().
   template <class Add>
   void split_sphere(const Vec3& position, double size, const Add& add) const {
     const Vec3 reach = Vec3{{size, size, size}};

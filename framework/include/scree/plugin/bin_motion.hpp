@@ -9,8 +9,8 @@
 
 namespace scree {
 
-// Sums over the bodies of each bin, and the bin of each body: −1 outside and for bodies that the probe does not
-// count.
+// Sums over the bodies of each bin, and the bin of each body: −1 outside and for bodies that the probe does
+// not count.
 struct BinMotion {
   struct Sums {
     double bodies = 0, mass = 0;  // number, (kg)

@@ -7,8 +7,8 @@
 
 namespace scree {
 
-// The straight line of a contact: from the centre of b, or from a wall, through the contact point, to the centre
-// of a; in the image of the scene in which a is.
+// The straight line of a contact: from the centre of b, or from a wall, through the contact point, to the
+// centre of a; in the image of the scene in which a is.
 struct ContactLine {
   Vec3 centre = {}, normal = {}, force = {};  // of a (m); from b to a; on a (N)
   double to_a = 0, to_b = 0;   // (m) from the contact point, the middle of the overlap; 0 to a wall

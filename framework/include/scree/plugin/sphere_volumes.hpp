@@ -7,8 +7,8 @@
 
 #include <scree/plugin/vec.hpp>
 
-// Exact volumes of spheres and areas of discs in parts of space. Bounds may be infinite. Errors are of round-off
-// of the whole sphere: some 1e-15 R³, and 1e-15 R² for discs.
+// Exact volumes of spheres and areas of discs in parts of space. Bounds may be infinite. Errors are of
+// round-off of the whole sphere: some 1e-15 R³, and 1e-15 R² for discs.
 
 namespace scree {
 

@@ -37,7 +37,8 @@ struct PrincipalValues {
 
 namespace detail {
 
-// One rotation of Jacobi's method, after which the component (p, q) is 0. rows: (3, 3); vectors: (3, 3), columns.
+// One rotation of Jacobi's method, after which the component (p, q) is 0. rows: (3, 3); vectors: (3, 3),
+// columns.
 inline void rotate(double (&rows)[3][3], double (&vectors)[3][3], int p, int q) {
   if (rows[p][q] == 0) return;
   const double theta = (rows[q][q] - rows[p][p]) / (2 * rows[p][q]);

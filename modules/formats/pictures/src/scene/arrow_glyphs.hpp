@@ -8,7 +8,7 @@ class vtkRenderer;
 
 namespace scree::pictures {
 
-// Length of each arrow over the length of the longest. Throws scree::Error if there is not one finite arrow per
+// Length of each arrow over the longest. Throws scree::Error if there is not one finite arrow per
 // particle.
 ColorField arrow_lengths(const Frame& frame, const ArrowField& arrows);
 

@@ -27,8 +27,8 @@ struct SpringOptions {
   int dimension = 3;
 };
 
-// Reads the springs of one frame of a dump of LAMMPS or LIGGGHTS (dump local). Throws Error "file:line:column:
-// problem; cure" also for a pair that is listed twice.
+// Reads the springs of one frame of a dump of LAMMPS or LIGGGHTS (dump local). Throws Error
+// "file:line:column: problem; cure" also for a pair that is listed twice.
 std::vector<Spring> read_springs(const std::filesystem::path& path, const SpringOptions& options);
 std::vector<Spring> parse_springs(std::string_view text, const std::string& name,
                                   const SpringOptions& options);
