@@ -22,7 +22,9 @@ namespace fs = std::filesystem;
 namespace {
 
 struct RenderArguments {
-  std::string source, out, movie, color_range;
+  std::string source, out, movie, color_range, view;
+  std::vector<std::string> cut;
+  bool no_bodies = false, no_title = false, no_time = false;
   int frames_per_second = 25;
   bool overwrite = false;
   pictures::RenderOptions options;
@@ -42,18 +44,57 @@ void check_replaced(const fs::path& file, bool overwrite, const char* problem) {
   throw Error(fmt::format("{}: {}", file.string(), problem));
 }
 
+// Numbers separated by commas; empty unless all are finite numbers.
+std::vector<double> numbers_of(const std::string& text) {
+  std::vector<double> numbers;
+  const char* next = text.c_str();
+  while (true) {
+    char* end = nullptr;
+    numbers.push_back(std::strtod(next, &end));
+    if (end == next || !std::isfinite(numbers.back())) return {};
+    if (*end == 0) return numbers;
+    if (*end != ',') return {};
+    next = end + 1;
+  }
+}
+
 // "LOW,HIGH".
-std::optional<std::array<double, 2>> color_range_of(const std::string& text) {
-  if (text.empty()) return std::nullopt;
-  char* end = nullptr;
-  const double low = std::strtod(text.c_str(), &end);
-  const bool separated = end != text.c_str() && *end == ',';
-  const char* second = separated ? end + 1 : end;
-  const double high = std::strtod(second, &end);
-  if (!separated || end == second || *end || !std::isfinite(low) || !std::isfinite(high) || low >= high)
-    throw Error(fmt::format(
-        "--color-range {}: is not a range; give two numbers (SI) as 0,0.5, the lower first", text));
-  return std::array{low, high};
+std::array<double, 2> range_of(const std::string& option, const std::string& text) {
+  const std::vector<double> range = numbers_of(text);
+  if (range.size() != 2 || range[0] >= range[1])
+    throw Error(
+        fmt::format("{} {}: is not a range; give two numbers (SI) as 0,0.5, the lower first", option, text));
+  return {range[0], range[1]};
+}
+
+// Each "x=LOW,HIGH".
+void set_cut(const std::vector<std::string>& cuts, pictures::RenderOptions& options) {
+  for (const std::string& cut : cuts) {
+    if (cut.size() < 3 || cut[1] != '=' || cut[0] < 'x' || cut[0] > 'z')
+      throw Error(fmt::format("--cut {}: names no axis; give x=LOW,HIGH, y=LOW,HIGH or z=LOW,HIGH (m)", cut));
+    options.cut[std::size_t(cut[0] - 'x')] = range_of("--cut " + cut.substr(0, 1), cut.substr(2));
+  }
+}
+
+// A name, or "X,Y,Z".
+void set_view(const std::string& view, pictures::RenderOptions& options) {
+  const std::vector<double> direction = numbers_of(view);
+  if (direction.size() == 3)
+    options.direction = {direction[0], direction[1], direction[2]};
+  else
+    options.view = view;
+}
+
+pictures::RenderOptions options_of(const RenderArguments& arguments) {
+  pictures::RenderOptions options = arguments.options;
+  if (!arguments.color_range.empty()) options.color_range = range_of("--color-range", arguments.color_range);
+  options.show_contacts = options.show_contacts || options.strong_contacts;
+  options.show_bodies = !arguments.no_bodies;
+  options.show_title = !arguments.no_title;
+  options.show_time = !arguments.no_time;
+  set_cut(arguments.cut, options);
+  set_view(arguments.view, options);
+  return options;
 }
 
 // What all pictures have in common, from a first look at every frame.
@@ -136,8 +177,7 @@ class Pictures {
 };
 
 ExitStatus render(const RenderArguments& arguments) {
-  pictures::RenderOptions options = arguments.options;
-  options.color_range = color_range_of(arguments.color_range);
+  pictures::RenderOptions options = options_of(arguments);
   if (!arguments.movie.empty()) {
     check_replaced(arguments.movie, arguments.overwrite,
                    "is there already; give another name, or --overwrite");
@@ -170,7 +210,6 @@ void add_render_verb(CommandLine& line) {
   Verb verb = line.verb("render", "Redraw the snapshots of a run; needs no display");
   auto a = std::make_shared<RenderArguments>();
   const std::vector<std::string> fields(pictures::color_fields.begin(), pictures::color_fields.end());
-  const std::vector<std::string> views(pictures::view_names.begin(), pictures::view_names.end());
   verb.option("source", a->source, "Run directory, or one particles_*.vtp file").required().existing_path();
   verb.option("--out", a->out, "Directory for the images; default: images/ of the run").shown_as("DIR");
   verb.option("--color-by", a->options.color_by, "Field that colours the bodies (default radius)")
@@ -178,8 +217,21 @@ void add_render_verb(CommandLine& line) {
   verb.option("--color-range", a->color_range,
               "Values at the ends of the colour bar, SI; default: the range in all snapshots")
       .shown_as("LOW,HIGH");
-  verb.option("--view", a->options.view, "View direction (default iso; always z in 2D)").one_of(views);
+  verb.option("--view", a->view,
+              "iso, x, y, z, or the direction to the viewer as 1,-1,0.5 (default iso; always z in 2D)")
+      .shown_as("VIEW");
   verb.flag("--contacts", a->options.show_contacts, "Draw the contact network");
+  verb.flag("--strong-contacts", a->options.strong_contacts,
+            "Draw the contacts above the mean normal force alone, coloured by it");
+  verb.flag("--no-bodies", a->no_bodies, "Draw no bodies");
+  verb.option("--cut", a->cut,
+              "Draw only bodies with centres in this range (m), as y=0.01,0.02; several times")
+      .shown_as("AXIS=LOW,HIGH");
+  verb.flag("--follow-bodies", a->options.follow_bodies,
+            "The frame holds the bodies of each picture, not all walls");
+  verb.flag("--scale-bar", a->options.scale_bar, "Draw a bar of a round length");
+  verb.flag("--no-title", a->no_title, "Write no title");
+  verb.flag("--no-time", a->no_time, "Write no time");
   verb.option("--width", a->options.width, "Pixels (default 1200)").between(200, 8000);
   verb.option("--height", a->options.height, "Pixels (default 900)").between(200, 8000);
   verb.option("--movie", a->movie, "Also join the pictures to a movie, with ffmpeg").shown_as("FILE.mp4");

@@ -90,6 +90,8 @@ class StageRunner {
   // Steps until the end of this stage must be tested again, at least 1.
   std::uint64_t steps_to_next_check() const;
   std::uint64_t steps_in(double duration) const;
+  // Steps of until.at_most, at least one.
+  std::uint64_t steps_of_limit(double at_most) const;
 
   Simulation& simulation_;
   std::vector<Stage> stages_;

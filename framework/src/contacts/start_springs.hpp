@@ -14,7 +14,7 @@ namespace scree {
 // Springs that a scene gives its contacts at the start, by what became of them.
 struct StartSprings {
   std::size_t placed = 0;
-  std::size_t apart = 0;         // their bodies do not touch
+  std::size_t apart = 0;         // their bodies do not touch, or have no contact that the scene evaluates
   std::size_t without_room = 0;  // the law keeps no tangential spring, or keeps more than a spring
 };
 

@@ -100,6 +100,8 @@ Simulation::Simulation(const Scene& scene, const State& state, const Branching& 
   check_health(parts_->stepper.initial_state_is_sound());
 }
 
+constexpr double smallest_cut = 1e-6;  // round-off of energies in single precision
+
 // The first evaluation has set all else that laws keep, such as the radius of a contact; the second one cuts
 // the springs at the limit of friction.
 void Simulation::start_springs() {
@@ -108,12 +110,21 @@ void Simulation::start_springs() {
   const StartSprings springs =
       place_springs(p.scene.springs, contact_list(), p.laws, dimension(), p.contacts);
   p.stepper.reevaluate_forces(0);
+  const double cut = p.contact_sums.dissipated_friction + p.contact_sums.dissipated_release;
+  p.audit.add_lost(p.contact_sums);
   p.taken_over.push_back("springs of " + counted(springs.placed, "contact"));
+  if (cut > smallest_cut * p.contact_sums.elastic_tangential)
+    p.let_go.push_back(fmt::format(
+        "friction cuts springs of the file, which loses {:.3g} J, in dissipated_friction of the probe "
+        "energy; check springs.factor and the friction of the laws",
+        cut));
   const auto lost = [&](std::size_t number, const char* why) {
     if (number > 0) p.let_go.push_back(counted(number, "spring") + " of the file lost, " + why);
   };
-  lost(springs.apart,
-       "since the bodies do not touch; write positions and springs at the same step, with all digits");
+  lost(
+      springs.apart,
+      "since the bodies do not touch, are both fixed, or their law is absent; write positions and springs at the "
+      "same step, with all digits");
   lost(springs.without_room,
        "since the law has no such springs; use one with friction that has them, such as "
        "linear_spring_dashpot or hertz_mindlin");

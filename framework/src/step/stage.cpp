@@ -80,7 +80,7 @@ StageRunner::StageRunner(Simulation& simulation, std::vector<Stage> stages, cons
 void StageRunner::check_resumed() const {
   const Stage& stage = stages_[current_];
   if (const auto at_most = stage.until.at_most;
-      !stage.duration && at_most && !stage.until.goes_on && simulation_.time() - began_ >= *at_most)
+      !stage.duration && at_most && !stage.until.goes_on && steps() >= steps_of_limit(*at_most))
     throw Error(
         fmt::format("stage '{}' has taken {:g} s without meeting its conditions, and at_most is {:g} s; "
                     "give more time (--set \"stage.{}.until.at_most=<s>\")",
@@ -146,6 +146,10 @@ std::uint64_t StageRunner::steps_in(double duration) const {
   return std::uint64_t(std::llround(duration / simulation_.step_length()));
 }
 
+std::uint64_t StageRunner::steps_of_limit(double at_most) const {
+  return std::max<std::uint64_t>(steps_in(at_most), 1);
+}
+
 std::uint64_t StageRunner::steps_to_next_check() const {
   const Stage& stage = stages_[current_];
   const std::uint64_t steps = this->steps();
@@ -154,10 +158,7 @@ std::uint64_t StageRunner::steps_to_next_check() const {
   if (stage.duration) return std::min(due, left(steps_in(*stage.duration)));
   const std::uint64_t next_test = condition_interval - steps % condition_interval;
   const std::uint64_t next = stage.until.reads_energies() || !columns_ ? std::min(due, next_test) : due;
-  // One step early, because run() compares times, not step counts.
-  return stage.until.at_most
-             ? std::min(next, left(std::max<std::uint64_t>(steps_in(*stage.until.at_most), 1) - 1))
-             : next;
+  return stage.until.at_most ? std::min(next, left(steps_of_limit(*stage.until.at_most))) : next;
 }
 
 bool StageRunner::take_values() {
@@ -255,7 +256,7 @@ std::uint64_t StageRunner::run(std::uint64_t steps, const std::function<bool()>&
   const std::optional<double> at_most = stage.until.at_most;
   if (over()) {
     end_stage(stage.duration ? StageEnd::duration : StageEnd::condition);
-  } else if (!stage.duration && at_most && simulation_.time() - began_ >= *at_most) {
+  } else if (!stage.duration && at_most && this->steps() >= steps_of_limit(*at_most)) {
     if (!stage.until.goes_on) fail();
     end_stage(StageEnd::at_most);
   }

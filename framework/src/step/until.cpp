@@ -162,9 +162,10 @@ std::string ConditionValues::status() const {
 std::string ConditionValues::problem() const {
   if (!latest_) return fmt::format("{} has no value so far", condition_->name);
   const std::string unit = condition_->unit.empty() ? "" : " " + condition_->unit;
-  const std::string changes = condition_->steady && recent_.size() > 1
-                                  ? fmt::format(" and changes by {:.3g} of itself", change())
-                                  : "";
+  std::string changes;
+  if (condition_->steady && recent_.size() > 1)
+    changes = std::isinf(change()) ? " and was 0 all the time, of which there is no share"
+                                   : fmt::format(" and changes by {:.3g} of itself", change());
   return fmt::format("{} is {:.3g}{}{}, not {}", condition_->name, *latest_, unit, changes,
                      condition_->wanted());
 }

@@ -57,11 +57,32 @@ struct SnapshotKeys : TableKeys {
                       "quantity that colours bodies");
   Key color_range = other("color_range", "[low, high]", Range::any(), "default that of the pictures so far",
                           "values (SI) at the ends of the colour bar");
-  ChoiceKey view = choice("view", {pictures::view_names.begin(), pictures::view_names.end()},
-                          "direction of view", "default \"iso\", in 2D along z");
-  BooleanKey contacts = boolean("contacts", false, "draw forces of contacts as tubes");
+  Key view = other("view", "\"iso\", \"x\", \"y\", \"z\" or [x, y, z]", Range::any(),
+                   "default \"iso\", in 2D along z",
+                   "direction of view; a vector points from the scene to the viewer");
+  Key contacts =
+      other("contacts", "true, false or \"strong\"", Range::any(), "default false",
+            "draw forces of contacts as tubes; strong: those above the mean alone, coloured by force");
+  BooleanKey bodies = boolean("bodies", true, "draw the bodies");
+  BooleanKey title = boolean("title", true, "write the title of the scene");
+  BooleanKey time = boolean("time", true, "write the time");
+  BooleanKey scale_bar = boolean("scale_bar", false, "draw a bar of a round length");
+  BooleanKey follow_bodies =
+      boolean("follow_bodies", false, "the frame holds the bodies of each picture, not all walls");
+  Key cut =
+      other("cut", "table", Range::any(), "default all", "part of the scene that is drawn, see snapshot.cut");
   IntegerKey width = integer("width", Range::between(200, 8000, "pixels"), 1200, "of a picture");
   IntegerKey height = integer("height", Range::between(200, 8000, "pixels"), 900, "of a picture");
+};
+
+struct CutKeys : TableKeys {
+  CutKeys()
+      : TableKeys(
+            "snapshot.cut", "cut = { }",
+            "only bodies whose centre lies between the ends along each axis are drawn: a slice, or a half") {}
+  Key x = other("x", "[low, high]", Range::any("m"), "default all", "along x");
+  Key y = other("y", "[low, high]", Range::any("m"), "default all", "along y");
+  Key z = other("z", "[low, high]", Range::any("m"), "default all", "along z");
 };
 
 struct CheckpointKeys : TableKeys {
@@ -103,6 +124,7 @@ struct ExpectKeys : TableKeys {
 inline const ProbeKeys probe_keys;
 inline const ChartKeys chart_keys;
 inline const SnapshotKeys snapshot_keys;
+inline const CutKeys cut_keys;
 inline const CheckpointKeys checkpoint_keys;
 inline const ExpectKeys expect_keys;
 

@@ -66,7 +66,58 @@ double read_interval(const document::Table& table, const Key& key, double step) 
   return every;
 }
 
-SnapshotPlan read_snapshot(const document::Table& root, double step) {
+namespace {
+
+// Two numbers (SI), the lower first.
+std::array<double, 2> read_range(const document::Table& table, const Key& key) {
+  const std::vector<double> range = table.numbers(key, 2);
+  if (range[0] >= range[1])
+    throw table.error(key, fmt::format("{:g} is not below {:g}", range[0], range[1]),
+                      "give the lower value first");
+  return {range[0], range[1]};
+}
+
+void read_cut(const document::Table& cut, int dimension, pictures::RenderOptions& picture) {
+  const Key* const axes[] = {&cut_keys.x, &cut_keys.y, &cut_keys.z};
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!cut.optional(*axes[k])) continue;
+    if (int(k) >= dimension)
+      throw cut.error(*axes[k], "a scene of two dimensions has no z",
+                      "remove it, or set scene.dimension = 3");
+    picture.cut[k] = read_range(cut, *axes[k]);
+  }
+}
+
+pictures::RenderOptions read_picture(const document::Table& t, int dimension) {
+  pictures::RenderOptions picture;
+  picture.color_by = read(t, snapshot_keys.color_by);
+  if (t.optional(snapshot_keys.color_range)) picture.color_range = read_range(t, snapshot_keys.color_range);
+  if (t.has(snapshot_keys.view) && !t.is_string(snapshot_keys.view)) {
+    const Vec3 direction = read_vector(t, snapshot_keys.view, 3, true);
+    if (norm(direction) == 0)
+      throw t.error(snapshot_keys.view, "the direction has no length", "give one such as [1, -1, 0.5]");
+    picture.direction = {direction[0], direction[1], direction[2]};
+  } else {
+    picture.view =
+        t.choice(snapshot_keys.view, {pictures::view_names.begin(), pictures::view_names.end()}, "");
+  }
+  picture.strong_contacts = t.is_string(snapshot_keys.contacts);
+  if (picture.strong_contacts) t.choice(snapshot_keys.contacts, {"strong"}, "strong");
+  picture.show_contacts = picture.strong_contacts || t.boolean(snapshot_keys.contacts, false);
+  picture.show_bodies = read(t, snapshot_keys.bodies);
+  picture.show_title = read(t, snapshot_keys.title);
+  picture.show_time = read(t, snapshot_keys.time);
+  picture.scale_bar = read(t, snapshot_keys.scale_bar);
+  picture.follow_bodies = read(t, snapshot_keys.follow_bodies);
+  if (const auto cut = t.optional_table(snapshot_keys.cut)) read_cut(*cut, dimension, picture);
+  picture.width = int(read(t, snapshot_keys.width));
+  picture.height = int(read(t, snapshot_keys.height));
+  return picture;
+}
+
+}  // namespace
+
+SnapshotPlan read_snapshot(const document::Table& root, int dimension, double step) {
   SnapshotPlan plan;
   const auto t = root.optional_table("snapshot");
   if (!t) return plan;
@@ -77,18 +128,7 @@ SnapshotPlan read_snapshot(const document::Table& root, double step) {
   if (plan.h5md && !plan.every)
     throw t->error(snapshot_keys.h5md, "a trajectory needs the time between its frames",
                    "give every = <s> too");
-  plan.color_by = read(*t, snapshot_keys.color_by);
-  if (t->optional(snapshot_keys.color_range)) {
-    const std::vector<double> range = t->numbers(snapshot_keys.color_range, 2);
-    if (range[0] >= range[1])
-      throw t->error("color_range", fmt::format("{:g} is not below {:g}", range[0], range[1]),
-                     "give the lower value first");
-    plan.color_range = {range[0], range[1]};
-  }
-  plan.view = t->choice(snapshot_keys.view, snapshot_keys.view.words, "");
-  plan.show_contacts = read(*t, snapshot_keys.contacts);
-  plan.width = int(read(*t, snapshot_keys.width));
-  plan.height = int(read(*t, snapshot_keys.height));
+  plan.picture = read_picture(*t, dimension);
   return plan;
 }
 

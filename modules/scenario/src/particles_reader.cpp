@@ -108,6 +108,7 @@ void read_table(BodyLot& lot, const Source& source, packing::Random random,
   const AddedVelocity added(particles, source.dimension);
   packing::Packing packing = read_packing(lot, source, random, lots);
   if (!particles.has(particles_keys.random)) cut_to_region(particles, source.dimension, packing);
+  lot.timestep = packing.timestep;
   if (packing.bounds) lot.box = {packing.periodic, packing.bounds->lower, packing.bounds->upper};
   if (shares)
     share_materials(particles.table(particles_keys.material), source.materials, random, packing.bodies);
@@ -149,6 +150,16 @@ packing::Random random_of(std::uint64_t seed, std::size_t table) {
   return packing::Random(own);
 }
 
+std::vector<SpringSource> spring_sources(const std::vector<BodyLot>& lots) {
+  std::vector<SpringSource> sources;
+  for (const BodyLot& lot : lots) {
+    if (!lot.table.has(particles_keys.springs)) continue;
+    sources.push_back({lot.table, {}, lot.timestep});
+    for (const Body& body : lot.bodies) sources.back().ids.insert(body.id);
+  }
+  return sources;
+}
+
 // Smaller scenes fit into the caches anyway, and keep the order of the file.
 constexpr std::size_t min_bodies_to_sort = 1024;
 
@@ -188,13 +199,14 @@ ReadBodies read_bodies(const document::Table& root, int dimension, const std::ve
                           [](const BodyLot& lot) { return lot.table.has(particles_keys.state); });
   number_bodies(root, lots, tables == 1);
   result.sources = sources_of(lots);
+  const std::vector<SpringSource> springs = spring_sources(lots);
   for (BodyLot& lot : lots) {
     if (lot.box.any_periodic()) result.boxes.push_back({tables == 1 ? "" : lot.name, lot.box});
     std::move(lot.bodies.begin(), lot.bodies.end(), std::back_inserter(result.bodies));
   }
   if (!result.state) sort_in_space(result.bodies, dimension);
-  for (std::size_t k = 0; k < tables; ++k)
-    read_springs(root.tables("particles")[k], dimension, folder, result.bodies, result.springs);
+  for (const SpringSource& table : springs)
+    read_springs(table, dimension, folder, result.bodies, result.springs);
   if (result.bodies.empty())
     throw root.error("the scene has no bodies",
                      "add [particles] with lattice and radius, random, file or state, or [[particle]]");

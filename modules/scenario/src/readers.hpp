@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <vector>
 
 #include <scree/branching.hpp>
@@ -116,8 +117,14 @@ packing::Packing read_packing_of_file(const document::Table& particles, int dime
 
 // spring_reader.cpp
 
-// Adds the springs that [particles] names for its bodies, which are among `bodies` of the scene.
-void read_springs(const document::Table& particles, int dimension, const std::filesystem::path& folder,
+// A [particles] with springs: its table, the ids of its bodies, and the frame of its dump.
+struct SpringSource {
+  document::Table table;
+  std::unordered_set<std::int64_t> ids;
+  std::optional<std::int64_t> timestep;
+};
+// Adds the springs of a table; `bodies` are those of the scene.
+void read_springs(const SpringSource& source, int dimension, const std::filesystem::path& folder,
                   const std::vector<Body>& bodies, std::vector<Scene::Spring>& result);
 
 // body_reader.cpp
@@ -139,6 +146,7 @@ struct BodyLot {
   std::vector<Body> bodies;
   Domain box;            // of a packing; not periodic without one
   bool own_ids = false;  // those above 0 are given ones; else they only number the bodies
+  std::optional<std::int64_t> timestep = {};  // of the frame of a dump
 };
 // A lot without bodies for each table, [[particle]] last. Names differ.
 std::vector<BodyLot> body_lots(const document::Table& root);
@@ -249,7 +257,7 @@ ProbeColumns columns_of(const ProbePlan& probe, int dimension);
 
 // A time between outputs (s), at least one time step (s).
 double read_interval(const document::Table& table, const Key& key, double step);
-SnapshotPlan read_snapshot(const document::Table& root, double step);
+SnapshotPlan read_snapshot(const document::Table& root, int dimension, double step);
 CheckpointPlan read_checkpoint(const document::Table& root, double step);
 // Sorts [[expect]] into the expectations of the run and of studies; the plan has its probes already. studies:
 // as for read_stages.

@@ -89,6 +89,10 @@ TEST_CASE("a spring at the start loses its normal component, and what exceeds th
   const Vec3 force = force_of(cut);
   const double along = std::abs(dot(force, normal));
   CHECK(norm(force - dot(force, normal) * normal) == Approx(0.5 * along).epsilon(1e-12));
+  REQUIRE(cut.let_go().size() == 1);
+  CHECK_THAT(cut.let_go()[0], Catch::Contains("friction cuts springs of the file"));
+  // Of the energy of the spring the balance has what is left and what was lost.
+  CHECK(cut.energy().dissipated_friction + cut.energy().elastic_tangential == Approx(0.5 * 3e3 * 1));
 }
 
 TEST_CASE("springs of bodies that are apart, or of a law without springs, are said to be lost", "[springs]") {
@@ -99,7 +103,7 @@ TEST_CASE("springs of bodies that are apart, or of a law without springs, are sa
   CHECK(apart.taken_over() == std::vector<std::string>{"springs of 1 contact"});
   REQUIRE(apart.let_go().size() == 1);
   CHECK_THAT(apart.let_go()[0],
-             Catch::StartsWith("1 spring of the file lost, since the bodies do not touch; "));
+             Catch::StartsWith("1 spring of the file lost, since the bodies do not touch, are both fixed, or their law "));
   scene.laws[0].parameters = test::parameters("linear_spring_dashpot", SCREE_CONTACT_LAW,
                                               {{"normal_stiffness", {1e4}}, {"normal_damping", {0}}});
   scene.springs.erase(scene.springs.begin());

@@ -26,3 +26,35 @@ TEST_CASE("impossible output is refused", "[scenario]") {
   CHECK(refusal_of_override("expect={requirement='r',quantity='steps'}").find("has no required value") !=
         std::string::npos);
 }
+
+TEST_CASE("what a picture shows is read from [snapshot]", "[scenario]") {
+  const auto picture = [](const std::string& keys) {
+    return plan_of(discs + ("[snapshot]\n" + keys)).snapshot.picture;
+  };
+  const pictures::RenderOptions usual = picture("");
+  CHECK(usual.show_bodies);
+  CHECK(usual.show_title);
+  CHECK_FALSE(usual.show_contacts);
+  const pictures::RenderOptions other = picture(
+      "contacts = 'strong'\nbodies = false\ntitle = false\ntime = false\nscale_bar = true\nfollow_bodies = true\n"
+      "view = [1, -1, 0.5]\ncut = { x = [0, 0.03] }\ncolor_by = 'velocity_y'\n");
+  CHECK(other.show_contacts);
+  CHECK(other.strong_contacts);
+  CHECK_FALSE(other.show_bodies);
+  CHECK_FALSE(other.show_title);
+  CHECK_FALSE(other.show_time);
+  CHECK(other.scale_bar);
+  CHECK(other.follow_bodies);
+  CHECK(other.direction == std::array{1.0, -1.0, 0.5});
+  CHECK(other.cut[0] == std::array{0.0, 0.03});
+  CHECK(picture("contacts = true\n").show_contacts);
+  const auto refused = [](const std::string& keys) {
+    return scree::test::refusal(discs + ("[snapshot]\n" + keys));
+  };
+  CHECK_THAT(refused("contacts = 'weak'\n"), Catch::Contains("weak"));
+  CHECK_THAT(refused("view = 'top'\n"), Catch::Contains("top"));
+  CHECK_THAT(refused("view = [0, 0, 0]\n"), Catch::Contains("the direction has no length"));
+  CHECK_THAT(refused("cut = { z = [0, 1] }\n"), Catch::Contains("a scene of two dimensions has no z"));
+  CHECK_THAT(refused("cut = { x = [1, 0] }\n"), Catch::Contains("1 is not below 0"));
+  CHECK_THAT(refused("cut = { w = [1, 0] }\n"), Catch::Contains("unknown key 'w'"));
+}

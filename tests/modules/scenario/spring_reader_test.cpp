@@ -55,9 +55,21 @@ TEST_CASE("springs without their bodies are refused, but where a region cuts the
              Catch::Contains("factr"));
   CHECK_THAT(Folder("springs = { file = 'none.dump' }\n").refusal(), Catch::Contains("none.dump"));
   const Folder other(springs);
-  other.write("pairs.dump", pairs + "4 2 0 0\n");
+  other.write("pairs.dump", with(pairs, "ENTRIES\n1", "ENTRIES\n2") + "4 2 0 0\n");
   CHECK_THAT(other.refusal(),
-             Catch::Contains("line 11 of the springs names body 4, which the scene does not have; "));
+             Catch::Contains("line 11 of the springs names body 4, which is not one of the file; "));
+  // Of several frames, the one of the step of the bodies; of several tables, the bodies of the table.
+  const Folder frames(springs);
+  frames.write("pairs.dump", pairs + with(with(pairs, "TIMESTEP\n5", "TIMESTEP\n6"), "5 2 0.5", "5 2 7"));
+  CHECK(frames.plan().scene.springs[0].displacement[0] == -5e-4);
+  frames.write("pairs.dump", with(pairs, "TIMESTEP\n5", "TIMESTEP\n6"));
+  CHECK_THAT(frames.refusal(), Catch::Contains("there is no timestep 5"));
+  const Folder tables(
+      springs +
+      "[[particles]]\nlattice = { kind = 'square', count = [1, 1], origin = [0.5, 0.5] }\nradius = 0.01\n");
+  tables.write("scene.toml", with(text_of(tables / "scene.toml"), "[particles]\n", "[[particles]]\n"));
+  tables.write("pairs.dump", with(pairs, "5 2 0.5", "5 9 0.5"));
+  CHECK_THAT(tables.refusal(), Catch::Contains("names body 9, which is not one of the file"));
   const Folder cut(springs + "region = { x = [0.2, 0.4], y = [0, 1] }\n");
   CHECK(cut.plan().scene.springs.empty());
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <string>
@@ -219,6 +220,11 @@ void DataReader::read_atom(const std::vector<Token>& words) {
   body.material = material_of_type(words[1], options_.materials, reader_);
   for (std::size_t k = 0; k < 5; ++k) store(body, fields[k], words[k + 2]);
   for (std::size_t k = 7; k < words.size(); ++k) reader_.integer(words[k], "image flag");
+  // LAMMPS computes masses of spheres in two dimensions too.
+  if (packing_.dimension == 2) {
+    body.mass = body.density * 4.0 / 3.0 * std::numbers::pi * body.radius * body.radius * body.radius;
+    body.density = unset;
+  }
   const auto [known, is_new] = index_of_.emplace(body.id, packing_.bodies.size());
   if (!is_new)
     reader_.fail(words[0].column, fmt::format("id {} is used twice", body.id), "give every atom its own id");

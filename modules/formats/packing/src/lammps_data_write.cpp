@@ -14,9 +14,11 @@ namespace scree::packing {
 
 namespace {
 
-double density_of(const Body& body, const ExportOptions& options) {
+// In two dimensions bodies are discs of unit thickness here, and spheres there.
+double density_of(const Body& body, int dimension, const ExportOptions& options) {
   double density = sphere_density(body);
   if (std::isnan(density)) density = options.density;
+  if (dimension == 2 && std::isnan(body.mass)) density *= 0.75 / body.radius;
   if (std::isfinite(density) && density > 0.0) return density;
   throw Error("packing", fmt::format("body {} has no density", body.id),
               "give one for the export, such as the density of its material");
@@ -68,7 +70,7 @@ std::string format_lammps_data(const Packing& packing, const ExportOptions& opti
   for (const Body& body : packing.bodies) {
     const Vec3& x = body.position;
     fmt::format_to(end, "{} {} {} {} {} {} {}\n", body.id, types.type(body), 2.0 * body.radius,
-                   density_of(body, options), x[0], x[1], x[2]);
+                   density_of(body, packing.dimension, options), x[0], x[1], x[2]);
   }
   out += "\nVelocities\n\n";
   for (const Body& body : packing.bodies) {

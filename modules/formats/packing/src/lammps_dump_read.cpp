@@ -239,8 +239,11 @@ void FrameReader::place_in_box(Body& body, const Source& source) {
 Packing parse_lammps_dump(std::string_view text, const std::string& name, const ImportOptions& options) {
   TextReader reader(text, name);
   const std::vector<DumpFrame> frames = find_frames(reader);
-  reader.seek(choose_frame(frames, options.timestep, reader).start);
-  return checked_import(FrameReader(reader, options).read(), name);
+  const DumpFrame frame = choose_frame(frames, options.timestep, reader);
+  reader.seek(frame.start);
+  Packing packing = checked_import(FrameReader(reader, options).read(), name);
+  packing.timestep = frame.timestep;
+  return packing;
 }
 
 Packing read_lammps_dump(const std::filesystem::path& path, const ImportOptions& options) {

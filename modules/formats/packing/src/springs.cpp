@@ -29,26 +29,45 @@ class SpringReader {
   SpringReader(TextReader& reader, const SpringOptions& options) : reader_(reader), options_(options) {}
 
   std::vector<Spring> read() {
-    while (reader_.next() && !reader_.line().starts_with("ITEM: ENTRIES"))
-      if (reader_.line().starts_with("ITEM: ATOMS"))
-        reader_.fail(1, "the dump has atoms and no pairs", "give the output of dump local");
+    read_head();
     choose_columns();
     while (reader_.next() && !reader_.line().starts_with("ITEM:"))
       if (!reader_.words().empty()) read_spring();
+    if (std::int64_t(springs_.size()) != expected_) fail_truncated();
     return std::move(springs_);
   }
 
  private:
+  void read_head();
   void choose_columns();
   void read_spring();
   void check_pair(const Spring& spring);
+  [[noreturn]] void fail_truncated();
 
   TextReader& reader_;
   const SpringOptions& options_;
   std::vector<std::size_t> meaning_;  // of each column: index into names, or unread
   std::vector<Spring> springs_;
+  std::int64_t expected_ = -1;  // as the head of the frame says
   std::map<std::pair<std::int64_t, std::int64_t>, std::size_t> line_of_;
 };
+
+// Up to the line "ITEM: ENTRIES ...".
+void SpringReader::read_head() {
+  while (reader_.next()) {
+    if (reader_.line().starts_with("ITEM: ENTRIES")) break;
+    if (reader_.line().starts_with("ITEM: ATOMS"))
+      reader_.fail(1, "the dump has atoms and no pairs", "give the output of dump local");
+    if (reader_.line().starts_with("ITEM: NUMBER OF ENTRIES") && reader_.next())
+      expected_ = reader_.integer(reader_.trimmed(0, reader_.line().size()), "number of entries");
+  }
+  if (expected_ < 0 || !reader_.line().starts_with("ITEM: ENTRIES")) fail_truncated();
+}
+
+void SpringReader::fail_truncated() {
+  reader_.fail(1, fmt::format("the frame has {} of {} entries", springs_.size(), expected_),
+               "complete the file, or choose another timestep");
+}
 
 void SpringReader::choose_columns() {
   std::vector<std::string> given = options_.columns;

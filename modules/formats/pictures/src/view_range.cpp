@@ -16,6 +16,12 @@ std::vector<double> magnitudes(const std::vector<double>& vectors) {
   return values;
 }
 
+std::vector<double> components(const std::vector<double>& vectors, std::size_t axis) {
+  std::vector<double> values(vectors.size() / 3);
+  for (std::size_t k = 0; k < values.size(); ++k) values[k] = vectors[3 * k + axis];
+  return values;
+}
+
 // Calls use(body, contact) for both bodies of each contact; false if the frame does not say which they are.
 template <class Use>
 bool for_each_end(const Frame& frame, const Use& use) {
@@ -49,11 +55,27 @@ std::vector<double> pressures(const Frame& frame) {
   return known ? pressure : std::vector<double>();
 }
 
+// Whether a height along an axis is so near to the bodies that a picture of it still shows these.
+bool is_near(const Frame& frame, double height, std::size_t axis) {
+  double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY}, extent = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t i = 0; i < frame.particle_count(); ++i) {
+      low[k] = std::min(low[k], frame.position[3 * i + k] - frame.radius[i]);
+      high[k] = std::max(high[k], frame.position[3 * i + k] + frame.radius[i]);
+    }
+    extent = std::max(extent, high[k] - low[k]);
+  }
+  return frame.particle_count() == 0 || within_view(height, low[axis], high[axis], extent);
+}
+
 }  // namespace
 
 std::vector<double> color_values(const Frame& frame, const std::string& color_by) {
   if (color_by == "radius") return frame.radius;
   if (color_by == "speed") return magnitudes(frame.velocity);
+  if (color_by.starts_with("velocity_"))
+    return components(frame.velocity, std::size_t(color_by.back() - 'x'));
+  if (color_by == "material") return {frame.material.begin(), frame.material.end()};
   if (color_by == "spin") return magnitudes(frame.spin);
   if (color_by == "net_force") return magnitudes(frame.force);
   if (color_by == "largest_force") return largest_forces(frame);
@@ -78,7 +100,8 @@ void ViewRange::add_box(const Frame& frame) {
     for (std::size_t i = 0; i < frame.particle_count(); ++i)
       add_extent(k, frame.position[3 * i + k] - frame.radius[i], frame.position[3 * i + k] + frame.radius[i]);
     for (const Wall& wall : frame.walls)
-      if (std::abs(wall.normal[k]) > 0.999) add_extent(k, wall.point[k], wall.point[k]);
+      if (std::abs(wall.normal[k]) > 0.999 && is_near(frame, wall.point[k], k))
+        add_extent(k, wall.point[k], wall.point[k]);
   }
 }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <scree/body_bounds.hpp>
+#include <scree/pictures/view_range.hpp>
 #include <scree/run/frame_of.hpp>
 
 namespace scree::run {
@@ -78,11 +79,14 @@ SceneBox scene_box(const Simulation& s) {
   std::vector<Body> present;
   for (std::size_t i = 0; i < s.particles().size(); ++i) present.push_back(s.particles().body(i));
   const BodyBounds bodies = bounds_of(present, s.dimension());
+  double extent = 0;
+  for (int k = 0; k < s.dimension(); ++k) extent = std::max(extent, bodies.upper[k] - bodies.lower[k]);
   for (std::size_t k = 0; k < std::size_t(s.dimension()); ++k) {
     double low = bodies.lower[int(k)], high = bodies.upper[int(k)];
     for (const scree_plane& plane :
          s.planes())  // those that are absent too, so that no view jumps when they come
-      if (std::abs(plane.normal[k]) > 0.999)
+      if (std::abs(plane.normal[k]) > 0.999 &&
+          pictures::within_view(plane.point[k], bodies.lower[int(k)], bodies.upper[int(k)], extent))
         low = std::min(low, plane.point[k]), high = std::max(high, plane.point[k]);
     const Domain& domain = s.domain();
     if (domain.periodic[k])

@@ -13,7 +13,7 @@
 namespace scree::run {
 
 Pictures::Pictures(const scenario::Plan& plan, const RunDirectory& directory)
-    : plan_(plan), directory_(directory), range_(plan.snapshot.color_by), trajectory_(directory) {
+    : plan_(plan), directory_(directory), range_(plan.snapshot.picture.color_by), trajectory_(directory) {
   if (plan.snapshot.any()) backend();
 }
 
@@ -72,17 +72,12 @@ void Pictures::write_snapshot(const Simulation& s) {
 void Pictures::write_image(const Simulation& s) {
   if (s.steps() == last_image_) return;
   last_image_ = s.steps();
-  pictures::RenderOptions options;
-  options.width = plan_.snapshot.width;
-  options.height = plan_.snapshot.height;
-  options.color_by = plan_.snapshot.color_by;
-  options.view = plan_.snapshot.view;
-  options.show_contacts = plan_.snapshot.show_contacts;
+  pictures::RenderOptions options = plan_.snapshot.picture;
   options.time_spacing = *plan_.snapshot.image_every;
   shown_ = next_view(shown_, scene_box(s));
   const pictures::Frame frame = frame_of(s, plan_.title, shown_);
   range_.add_colors(frame);
-  options.color_range = plan_.snapshot.color_range ? plan_.snapshot.color_range : range_.colors();
+  if (!options.color_range) options.color_range = range_.colors();
   backend().render(frame, options, directory_.add(fmt::format("images/frame_{:010}.png", s.steps())));
 }
 

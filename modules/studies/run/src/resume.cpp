@@ -76,7 +76,7 @@ std::string duration_until(const scenario::Plan& plan, const Position& position,
   const std::vector<Stage>& stages = plan.stages;
   if (position.ended && !stages.back().duration)
     throw Error(
-        fmt::format("--until: stage '{}' has ended by its condition, after which nothing can follow; "
+        fmt::format("--until: stage '{}' has no duration, and has ended by its condition or at_most; "
                     "begin a new run from the state (particles.state)",
                     stages.back().name));
   double begin = position.began;
@@ -195,8 +195,10 @@ void check_unfinished(const State& state, const scenario::Plan& plan, const fs::
   const bool prolonged = last && position.began + *last > time_of(state) + 0.5 * plan.scene.step;
   // It may have been killed between its last state and its last record.
   if (position.ended && !prolonged && recorded_in(directory).status == "finished")
-    throw Error(fmt::format("{}: the run has finished at t = {:g} s; give a later --until to prolong it",
-                            directory.string(), time_of(state)));
+    throw Error(fmt::format("{}: the run has finished at t = {:g} s; {}", directory.string(), time_of(state),
+                            last ? "give a later --until to prolong it"
+                                 : "its last stage has no duration: begin a new run from its state "
+                                   "(particles.state)"));
 }
 
 // A plan, and the simulation of a state from which it goes on.

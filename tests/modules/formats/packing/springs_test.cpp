@@ -1,5 +1,6 @@
 #include "packing_support.hpp"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -14,9 +15,9 @@ using scree::Vec3;
 namespace {
 
 std::string entries(const std::string& timestep, const std::string& columns, const std::string& rows) {
-  return "ITEM: TIMESTEP\n" + timestep +
-         "\nITEM: NUMBER OF ENTRIES\n2\nITEM: BOX BOUNDS ff ff ff\n-1 3\n0 2\n0 1e1\nITEM: ENTRIES " +
-         columns + "\n" + rows;
+  return "ITEM: TIMESTEP\n" + timestep + "\nITEM: NUMBER OF ENTRIES\n" +
+         std::to_string(std::count(rows.begin(), rows.end(), '\n')) +
+         "\nITEM: BOX BOUNDS ff ff ff\n-1 3\n0 2\n0 1e1\nITEM: ENTRIES " + columns + "\n" + rows;
 }
 
 std::string refusal_of_springs(const std::string& text, const SpringOptions& options = {}) {
@@ -72,6 +73,12 @@ TEST_CASE("a dump of pairs that cannot be springs is refused with its line", "[p
   CHECK_THAT(refusal_of_springs(entries("5", "1 2 3", ""), {.timestep = 4}), Contains("the nearest is 5"));
   CHECK_THAT(refusal_of_springs("ITEM: TIMESTEP\n1\nITEM: ATOMS id x\n1 0\n", options),
              Contains("the dump has atoms and no pairs; give the output of dump local"));
+  // A frame that is cut off, in its entries or its head.
+  std::string cut = entries("5", "1 2 3 4 5 6", "7 0 9 1 2 3\n9 0 8 1 2 3\n");
+  cut.resize(cut.rfind("9 0 8"));
+  CHECK_THAT(refusal_of_springs(cut, options), Contains("the frame has 1 of 2 entries; complete the file"));
+  CHECK_THAT(refusal_of_springs(entries("5", "1 2 3 4 5 6", "") + "ITEM: TIMESTEP\n6\n", options),
+             Contains("the frame has 0 of -1 entries"));
   CHECK_THAT(refusal_of_springs("a b\n", options), Contains("not a text dump"));
   CHECK_THAT(refusal_of_springs("ITEM: UNITS\nlj\n" + entries("5", "a", ""), options), Contains("units"));
 }

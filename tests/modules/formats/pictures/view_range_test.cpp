@@ -30,13 +30,20 @@ TEST_CASE("the view of several frames holds their boxes, bodies and walls and al
   CHECK_FALSE(view.colors());
   Frame first = disc(0, 2), last = disc(3, 5);
   first.lower = {-1, -1, 0}, first.upper = {1, 1, 0};
-  last.walls = {{"floor", {0, -2, 0}, {0, 1, 0}}, {"slope", {0, -9, 0}, {0.6, 0.8, 0}}};
+  last.walls = {{"floor", {0, -0.5, 0}, {0, 1, 0}}, {"slope", {0, -9, 0}, {0.6, 0.8, 0}}};
   view.add_box(first), view.add_colors(first);
   CHECK_FALSE(view.colors());  // of one value
   view.add_box(last), view.add_colors(last);
-  CHECK(view.lower() == std::array{-1.0, -2.0, 0.0});
+  CHECK(view.lower() == std::array{-1.0, -1.0, 0.0});
   CHECK(view.upper() == std::array{3.1, 1.0, 0.0});
   CHECK(*view.colors() == std::array{2.0, 5.0});
+  // Walls count up to three extents of the bodies away, so that one that has gone leaves them in sight.
+  Frame with_walls = disc(0, 2);
+  with_walls.walls = {{"floor", {0, -0.6, 0}, {0, 1, 0}}, {"gate", {0, 9, 0}, {0, -1, 0}}};
+  ViewRange near("speed");
+  near.add_box(with_walls);
+  CHECK(near.lower()[1] == -0.6);
+  CHECK(near.upper()[1] == 0.1);
   Frame lost = disc(std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity());
   view.add_box(lost), view.add_colors(lost);
   CHECK(view.upper()[0] == 3.1);

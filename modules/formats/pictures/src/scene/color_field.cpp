@@ -34,10 +34,12 @@ RawField raw_field(const Frame& frame, const std::string& name) {
     bool whole_numbers;
   };
   static constexpr Known all[] = {
-      {"radius", "radius", "m", false},       {"speed", "speed", "m/s", false},
-      {"spin", "spin", "rad/s", false},       {"coordination", "contacts", "", true},
-      {"pressure", "pressure", "Pa", false},  {"largest_force", "largest contact force", "N", false},
-      {"net_force", "net force", "N", false}, {"id", "id", "", true}};
+      {"radius", "radius", "m", false},           {"speed", "speed", "m/s", false},
+      {"velocity_x", "velocity x", "m/s", false}, {"velocity_y", "velocity y", "m/s", false},
+      {"velocity_z", "velocity z", "m/s", false}, {"material", "material", "", true},
+      {"spin", "spin", "rad/s", false},           {"coordination", "contacts", "", true},
+      {"pressure", "pressure", "Pa", false},      {"largest_force", "largest contact force", "N", false},
+      {"net_force", "net force", "N", false},     {"id", "id", "", true}};
   for (const Known& known : all)
     if (known.name == name) return {known.title, known.unit, color_values(frame, name), known.whole_numbers};
   throw Error(
@@ -55,6 +57,19 @@ AxisSpan value_range(const RawField& field) {
   if (range.lower == 0) return {0, 1};
   return field.whole_numbers ? AxisSpan{range.lower - 1, range.upper + 1}
                              : charts::padded(range.lower, range.upper, 0);
+}
+
+// The values, if there are two to five of them.
+std::vector<double> few_values(const std::vector<double>& values) {
+  constexpr std::size_t most = 5;
+  std::vector<double> distinct;
+  for (const double value : values) {
+    if (std::find(distinct.begin(), distinct.end(), value) != distinct.end()) continue;
+    distinct.push_back(value);
+    if (distinct.size() > most || !std::isfinite(value)) return {};
+  }
+  std::sort(distinct.begin(), distinct.end());
+  return distinct.size() > 1 ? distinct : std::vector<double>();
 }
 
 AxisSpan given_range(const std::array<double, 2>& range) {
@@ -95,12 +110,15 @@ ColorField color_field(const Frame& frame, const RenderOptions& options) {
       charts::scaled_unit(std::max(std::abs(range.lower), std::abs(range.upper)), raw.unit);
   for (double& value : raw.values) value *= unit.factor;
   const std::string title = unit.symbol.empty() ? raw.title : fmt::format("{} ({})", raw.title, unit.symbol);
+  const bool named = options.color_by == "radius" || options.color_by == "material";
+  std::vector<double> distinct = named ? few_values(raw.values) : std::vector<double>();
   return {title,
           std::move(raw.values),
           range.lower * unit.factor,
           range.upper * unit.factor,
           raw.whole_numbers,
-          options.show_contacts && frame.dimension == 2 ? paleness_among_contacts : 0};
+          options.show_contacts && frame.dimension == 2 ? paleness_among_contacts : 0,
+          std::move(distinct)};
 }
 
 }  // namespace scree::pictures

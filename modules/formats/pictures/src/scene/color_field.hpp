@@ -21,6 +21,8 @@ struct ColorField {
   double upper;
   bool whole_numbers;
   double paleness = 0;  // share of white in the colours, 0 to 1
+  // If there are a few values only: each of them, for a legend in place of the bar.
+  std::vector<double> distinct{};
 
   // Colour at a share of the range, 0 to 1.
   std::array<std::uint8_t, 3> color_at(double share) const;

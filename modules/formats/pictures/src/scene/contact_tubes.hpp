@@ -8,10 +8,11 @@ class vtkRenderer;
 
 namespace scree::pictures {
 
-// Adds the contacts as bars with a width proportional to the normal force; sliding contacts are red.
-void add_contacts(vtkRenderer* renderer, const Frame& frame);
+// Adds the contacts as bars with a width proportional to the normal force; sliding contacts are red. strong: only
+// contacts above the mean normal force, coloured by it.
+void add_contacts(vtkRenderer* renderer, const Frame& frame, bool strong);
 
 // Explanation of the bars, for the caption.
-std::string contact_note(const Frame& frame);
+std::string contact_note(const Frame& frame, bool strong);
 
 }  // namespace scree::pictures

@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
 #include <vtkBrush.h>
 #include <vtkContext2D.h>
 #include <vtkObjectFactory.h>
 #include <vtkPen.h>
 
+#include <scree/charts/scaled_unit.hpp>
 #include <scree/charts/ticks.hpp>
 
 namespace scree::pictures {
@@ -38,7 +40,8 @@ vtkStandardNewMacro(Panel)
 
     bool Panel::Paint(vtkContext2D* painter) {
   paint_caption(painter);
-  if (field) paint_color_bar(painter);
+  if (field) field->distinct.empty() ? paint_color_bar(painter) : paint_legend(painter);
+  if (scale_bar > 0) paint_scale_bar(painter);
   paint_triad(painter);
   return true;
 }
@@ -75,6 +78,31 @@ void Panel::paint_color_bar(vtkContext2D* painter) const {
     draw_line(painter, left + width, y, left + width + 0.3 * font, y);
     draw_text(painter, left + width + 0.6 * font, y, ticks.labels[k], {font}, layout.side() - 3.2 * font);
   }
+}
+
+void Panel::paint_legend(vtkContext2D* painter) const {
+  const double font = layout.font, left = layout.scene_width() + 1.2 * font;
+  double y = layout.height - layout.caption() - 1.1 * font;
+  draw_text(painter, layout.scene_width() + 0.4 * font, y, field->title, {font}, layout.side() - 0.8 * font);
+  for (const double value : field->distinct) {
+    y -= 1.9 * font;
+    const auto color = field->color_at((value - field->lower) / (field->upper - field->lower));
+    set_pen(painter, 1.2 * layout.pixel_scale);
+    painter->GetBrush()->SetColor(color[0], color[1], color[2], 255);
+    painter->DrawRect(float(left), float(y - 0.5 * font), float(font), float(font));
+    draw_text(painter, left + 1.5 * font, y, fmt::format("{:.4g}", value), {font}, layout.side() - 3 * font);
+  }
+}
+
+void Panel::paint_scale_bar(vtkContext2D* painter) const {
+  const double font = layout.font, length = scale_bar * pixels_per_metre;
+  const double left = font, y = layout.note() + 0.8 * font;
+  set_pen(painter, 2.5 * layout.pixel_scale);
+  draw_line(painter, left, y, left + length, y);
+  for (const double x : {left, left + length}) draw_line(painter, x, y - 0.3 * font, x, y + 0.3 * font);
+  const charts::ScaledUnit unit = charts::scaled_unit(scale_bar, "m");
+  draw_text(painter, left + length / 2, y + 0.9 * font,
+            fmt::format("{:g} {}", scale_bar * unit.factor, unit.symbol), {font, Align::center}, 8 * font);
 }
 
 void Panel::paint_triad(vtkContext2D* painter) const {

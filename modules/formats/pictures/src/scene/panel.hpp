@@ -39,10 +39,14 @@ class Panel : public vtkContextItem {
   std::string time;
   std::string note;
   const ColorField* field = nullptr;  // null: no particles, so no colour bar
+  double scale_bar = 0;               // (m) its length; 0: none
+  double pixels_per_metre = 0;
 
  private:
   void paint_caption(vtkContext2D* painter) const;
   void paint_color_bar(vtkContext2D* painter) const;
+  void paint_legend(vtkContext2D* painter) const;
+  void paint_scale_bar(vtkContext2D* painter) const;
   void paint_triad(vtkContext2D* painter) const;
 };
 

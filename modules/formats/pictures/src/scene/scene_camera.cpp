@@ -93,6 +93,18 @@ SceneBox scene_box(const Frame& frame) {
   return box;
 }
 
+SceneBox box_of_bodies(const Frame& frame) {
+  constexpr double margin = 0.03;
+  SceneBox box = particle_box(frame);
+  const double room = margin * box.diagonal();
+  for (int k = 0; k < frame.dimension; ++k) {
+    box.lower[k] -= room;
+    box.upper[k] += room;
+  }
+  if (frame.dimension == 2) box.lower[2] = box.upper[2] = 0;
+  return box;
+}
+
 ViewAxes view_axes(const std::string& view, int dimension) {
   if (!view.empty() && std::find(view_names.begin(), view_names.end(), view) == view_names.end())
     throw Error(
@@ -100,8 +112,15 @@ ViewAxes view_axes(const std::string& view, int dimension) {
   if (dimension == 2 || view == "z") return {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   if (view == "x") return {{0, 1, 0}, {0, 0, 1}, {1, 0, 0}};
   if (view == "y") return {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
-  const Point toward = normalised({0.55, -1, 0.5});
-  const Point right = normalised(cross({0, 0, 1}, toward));
+  return axes_towards({0.55, -1, 0.5});
+}
+
+ViewAxes axes_towards(const Point& direction) {
+  if (!(dot(direction, direction) > 0) || !std::isfinite(dot(direction, direction)))
+    throw Error("view: the direction towards the viewer has no length; give one such as [1, -1, 0.5]");
+  const Point toward = normalised(direction);
+  const bool from_above = std::hypot(toward[0], toward[1]) < 1e-9;
+  const Point right = from_above ? Point{1, 0, 0} : normalised(cross({0, 0, 1}, toward));
   return {right, cross(toward, right), toward};
 }
 

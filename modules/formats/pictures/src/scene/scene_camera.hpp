@@ -28,6 +28,8 @@ struct SceneBox {
 
 // The box of the frame, or of its particles if it has none, enlarged to include near-by walls.
 SceneBox scene_box(const Frame& frame);
+// The box of its particles, with a margin.
+SceneBox box_of_bodies(const Frame& frame);
 
 // Unit vectors of the picture: right, up, and towards the viewer.
 struct ViewAxes {
@@ -38,6 +40,8 @@ struct ViewAxes {
 
 // x: from +x; y: from -y, so that x points right; z: from +z. Throws scree::Error for an unknown name.
 ViewAxes view_axes(const std::string& view, int dimension);
+// From a direction towards the viewer, with z upwards in the picture. Throws scree::Error for a zero vector.
+ViewAxes axes_towards(const Point& direction);
 
 // Orthographic: the box fits the panel.
 struct SceneCamera {

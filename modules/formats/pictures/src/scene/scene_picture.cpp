@@ -2,6 +2,7 @@
 
 #include "arrow_glyphs.hpp"
 #include "contact_tubes.hpp"
+#include "cut_frame.hpp"
 #include "files/frame_check.hpp"
 #include "panel.hpp"
 #include "particle_actors.hpp"
@@ -28,7 +29,7 @@ constexpr double sphere_scale_among_contacts = 0.4;
 constexpr double sphere_scale_among_arrows = 0.15;
 
 bool shrinks_spheres(const Frame& frame, const RenderOptions& options) {
-  return options.show_contacts && frame.dimension == 3;
+  return options.show_contacts && options.show_bodies && frame.dimension == 3;
 }
 
 // Pictures are taken at steps, whose times need not be multiples of the spacing.
@@ -36,6 +37,12 @@ std::string time_text(double time, double spacing) {
   if (!(spacing > 0)) return fmt::format("{:.6g}", time);
   const double unit = std::pow(10.0, std::floor(std::log10(spacing) + 1e-9) - 2);
   return fmt::format("{:.12g}", std::round(time / unit) * unit);
+}
+
+// The largest of 1, 2 and 5 times a power of ten that is not above a length (m).
+double round_length(double longest) {
+  const double power = std::pow(10.0, std::floor(std::log10(longest)));
+  return power * (longest >= 5 * power ? 5 : longest >= 2 * power ? 2 : 1);
 }
 
 void add_panel(vtkRenderer* renderer, Panel* panel) {
@@ -46,13 +53,16 @@ void add_panel(vtkRenderer* renderer, Panel* panel) {
 }
 
 vtkNew<Panel> make_panel(const Frame& frame, const RenderOptions& options, const SceneLayout& layout,
-                         const ViewAxes& axes) {
+                         const SceneCamera& camera) {
   vtkNew<Panel> panel;
   panel->layout = layout;
-  panel->axes = axes;
-  panel->title = frame.title;
-  panel->time = fmt::format("t = {} s", time_text(frame.time, options.time_spacing));
-  if (options.show_contacts) panel->note = contact_note(frame);
+  panel->axes = camera.axes;
+  if (options.show_title) panel->title = frame.title;
+  if (options.show_time) panel->time = fmt::format("t = {} s", time_text(frame.time, options.time_spacing));
+  panel->pixels_per_metre = layout.scene_height() / (2 * camera.half_height);
+  if (options.scale_bar)
+    panel->scale_bar = round_length(0.25 * layout.scene_width() / panel->pixels_per_metre);
+  if (options.show_contacts) panel->note = contact_note(frame, options.strong_contacts);
   if (shrinks_spheres(frame, options))
     panel->note =
         fmt::format("spheres: at {:g} of their radius; {}", sphere_scale_among_contacts, panel->note);
@@ -61,7 +71,7 @@ vtkNew<Panel> make_panel(const Frame& frame, const RenderOptions& options, const
 
 void add_particles(vtkRenderer* renderer, const Frame& frame, const RenderOptions& options,
                    const ColorField& field, const SceneCamera& camera, const SceneLayout& layout) {
-  if (frame.particle_count() == 0) return;
+  if (frame.particle_count() == 0 || !options.show_bodies) return;
   if (frame.dimension == 2) return add_discs(renderer, frame, field, layout.pixel_scale);
   std::vector<std::size_t> particles(frame.particle_count());
   std::iota(particles.begin(), particles.end(), std::size_t{0});
@@ -91,14 +101,19 @@ void add_bodies_with_arrows(vtkRenderer* renderer, const Frame& frame, const Arr
 }
 
 // arrows: null without them.
-Picture picture_of(OffscreenContext& context, const Frame& frame, const ArrowField* arrows,
+Picture picture_of(OffscreenContext& context, const Frame& whole, const ArrowField* arrows,
                    const RenderOptions& options) {
   check_size(options.width, options.height);
-  check_columns(frame);
-  check_drawable(frame);
+  check_columns(whole);
+  check_drawable(whole);
+  const bool cut = !arrows && (options.cut[0] || options.cut[1] || options.cut[2]);
+  const Frame part = cut ? cut_frame(whole, options.cut) : Frame();
+  const Frame& frame = cut ? part : whole;
   const ColorField field = arrows ? arrow_lengths(frame, *arrows) : color_field(frame, options);
-  const ViewAxes axes = view_axes(options.view, frame.dimension);
-  const SceneBox box = scene_box(frame);
+  const ViewAxes axes = options.direction && frame.dimension == 3 ? axes_towards(*options.direction)
+                                                                  : view_axes(options.view, frame.dimension);
+  const SceneBox box =
+      options.follow_bodies && frame.particle_count() > 0 ? box_of_bodies(frame) : scene_box(frame);
   const SceneLayout layout = SceneLayout::of_size(options.width, options.height);
 
   vtkNew<vtkRenderer> scene, overlay;
@@ -110,15 +125,15 @@ Picture picture_of(OffscreenContext& context, const Frame& frame, const ArrowFie
     add_bodies_with_arrows(scene, frame, *arrows, field, layout);
   else
     add_particles(scene, frame, options, field, camera, layout);
-  if (options.show_contacts) add_contacts(scene, frame);
+  if (options.show_contacts) add_contacts(scene, frame, options.strong_contacts);
   if (options.show_walls) add_walls(scene, frame, box, axes, layout.pixel_scale);
   camera.apply(scene);
 
   vtkNew<vtkRenderer> background;  // white behind the parts outside the panel of the scene
   background->SetBackground(1, 1, 1);
-  vtkNew<Panel> panel = make_panel(frame, options, layout, axes);
+  vtkNew<Panel> panel = make_panel(frame, options, layout, camera);
   if (arrows) panel->note = arrows->note;
-  if (frame.particle_count() > 0) panel->field = &field;
+  if (frame.particle_count() > 0 && options.show_bodies) panel->field = &field;
   add_panel(overlay, panel);
   return context.draw(options.width, options.height, {background, scene, overlay});
 }

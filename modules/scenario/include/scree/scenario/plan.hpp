@@ -10,6 +10,7 @@
 
 #include <scree/branching.hpp>
 #include <scree/document/document.hpp>
+#include <scree/pictures/render_options.hpp>
 #include <scree/plugin_host.hpp>
 #include <scree/probes.hpp>
 #include <scree/scenario/input_files.hpp>
@@ -61,11 +62,7 @@ struct SnapshotPlan {
   std::optional<double> every;        // (s) between .vtp files
   std::optional<double> image_every;  // (s) between images
   bool h5md = false;                  // the same frames in trajectory.h5md
-  std::string color_by = "radius";
-  std::optional<std::array<double, 2>> color_range;  // (SI); absent: of all pictures so far
-  std::string view;
-  bool show_contacts = false;
-  int width = 1200, height = 900;  // (pixels)
+  pictures::RenderOptions picture;  // color_range absent: of all pictures so far
   bool any() const { return every || image_every; }
 };
 

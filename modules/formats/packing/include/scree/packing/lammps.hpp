@@ -13,7 +13,7 @@ namespace scree::packing {
 // "id type diameter density x y z [ix iy iz]", Velocities with "id vx vy vz wx wy wz". Masses and
 // coefficients are skipped; bonds, other shapes and tilted boxes are refused. Image flags are checked and
 // dropped: positions stay those in the box. Periodic axes and dimension come from the options, as the format
-// has no place for them.
+// has no place for them. The density is of spheres in two dimensions too, which gives bodies their mass.
 // Errors: "name:line:column: what is wrong; what to do".
 Packing read_lammps_data(const std::filesystem::path& path, const ImportOptions& options = {});
 Packing parse_lammps_data(std::string_view text, const std::string& name, const ImportOptions& options = {});

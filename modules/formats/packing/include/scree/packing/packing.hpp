@@ -40,6 +40,7 @@ struct Packing {
   std::optional<Bounds> bounds;    // absent: the source has no box
   std::array<bool, 3> periodic{};  // along x, y, z; a periodic axis needs bounds of positive length
   double time = 0.0;               // (s) of the recorded state
+  std::optional<std::int64_t> timestep{};  // of the frame of a dump
   bool own_ids = false;            // the source has ids; else they number its bodies
   std::string format;              // of a file, as a noun: "CSV"
 };

@@ -7,18 +7,27 @@
 
 namespace scree::pictures {
 
-inline constexpr std::array<std::string_view, 8> color_fields = {
-    "radius", "speed", "spin", "coordination", "pressure", "largest_force", "net_force", "id"};
+inline constexpr std::array<std::string_view, 12> color_fields = {
+    "radius",       "speed",    "velocity_x",    "velocity_y", "velocity_z", "spin",
+    "coordination", "pressure", "largest_force", "net_force",  "material",   "id"};
 inline constexpr std::array<std::string_view, 4> view_names = {"iso", "x", "y", "z"};
 
 // Options for drawing a frame.
 struct RenderOptions {
-  int width = 1200;                 // (pixels) 200 to 8000
-  int height = 900;                 // (pixels) 200 to 8000
-  std::string color_by = "radius";  // one of color_fields; vectors are shown by magnitude
-  std::string view;                 // one of view_names; empty: iso. In 2D always z
-  bool show_contacts = false;  // as bars; in 3D the spheres are drawn smaller so that the bars are visible
+  int width = 1200;                                  // (pixels) 200 to 8000
+  int height = 900;                                  // (pixels) 200 to 8000
+  std::string color_by = "radius";                   // one of color_fields; vectors are shown by magnitude
+  std::string view;                                  // one of view_names; empty: iso. In 2D always z
+  std::optional<std::array<double, 3>> direction{};  // from the scene towards the viewer, instead of a view
+  bool show_contacts = false;    // as bars; in 3D the spheres are drawn smaller so that the bars are visible
+  bool strong_contacts = false;  // of these, the ones above the mean normal force alone, coloured by it
+  bool show_bodies = true;
   bool show_walls = true;
+  bool show_title = true, show_time = true;
+  bool scale_bar = false;
+  bool follow_bodies = false;  // the frame holds the bodies, and walls as far as they are in it
+  // (m) only bodies whose centre lies between these ends along each axis, and their contacts.
+  std::array<std::optional<std::array<double, 2>>, 3> cut{};
   std::optional<std::array<double, 2>> color_range{};  // (SI unit of the field); absent: range in this frame
   double time_spacing =
       0;  // (s) between pictures; the time is shown to a hundredth of it, or with six digits if it is 0

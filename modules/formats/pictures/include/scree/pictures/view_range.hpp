@@ -35,6 +35,13 @@ class ViewRange {
   std::optional<std::array<double, 2>> colors_;
 };
 
+// Whether a wall at a height (m) is near enough to bodies between `low` and `high`, whose largest extent is given,
+// that a picture with both still shows the bodies: at most three extents away.
+inline bool within_view(double height, double low, double high, double extent) {
+  constexpr double reach = 3;
+  return height >= low - reach * extent && height <= high + reach * extent;
+}
+
 // Values of a field, one of color_fields, vectors by magnitude (SI). Empty if the frame lacks it.
 std::vector<double> color_values(const Frame& frame, const std::string& color_by);
 
