@@ -1,0 +1,10 @@
+"""Runs scree, a discrete-element laboratory for granular matter, and reads its results: see README.md."""
+from .campaigns import Campaign
+from .errors import Error
+from .program import find_program
+from .results import Result, read
+from .runs import run, study
+from .states import State, contacts
+from .tables import read_table
+
+__all__ = ["Campaign", "Error", "Result", "State", "contacts", "find_program", "read", "read_table", "run", "study"]
