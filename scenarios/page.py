@@ -3,15 +3,13 @@
 Usage: python3 scenarios/page.py FOLDER PROGRAM    # scenarios/verification build/release/bin/scree
        python3 scenarios/page.py FOLDER            # only compares the page with the scenes; status 1 if they differ
 """
-import json
 import os
 import re
-import subprocess
 import sys
 import tempfile
 import tomllib
 
-from tables import arguments, refuse
+from tables import arguments, refuse, scree
 
 BEGIN = "<!-- Written by scenarios/page.py; to renew it: python3 scenarios/page.py {} build/release/bin/scree -->"
 END = "<!-- end -->"
@@ -76,15 +74,9 @@ def nearest(conditions):
 
 
 def measured(path, program):
-    """Runs a scene; the columns that its record decides. Ends the script with one line if a condition is missed."""
+    """Runs a scene; the columns that its record decides. Ends the script with one line if it fails or misses a condition."""
     with tempfile.TemporaryDirectory() as folder:
-        out = os.path.join(folder, "run")
-        words = [program, "run", path, "--out", out, "--quiet"]
-        done = subprocess.run(words, capture_output=True, text=True, check=False)
-        if done.returncode != 0:
-            refuse(f"{path}: exit status {done.returncode}: {done.stderr.strip()}")
-        with open(os.path.join(out, "run.json"), encoding="utf-8") as record:
-            return nearest(json.load(record)["expect"])
+        return nearest(scree.run(path, out=os.path.join(folder, "run"), program=program).expectations)
 
 
 def main():

@@ -1,9 +1,9 @@
-"""Tables and campaigns that scree writes, for the scripts of the papers."""
-import csv
-import json
+"""What the scripts of the papers share: the Python package of this tree, their arguments, and runs of campaigns."""
 import os
 import sys
-import tomllib
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "tools", "python"))
+import scree  # noqa: E402 (of the tree)
 
 
 def refuse(text):
@@ -11,31 +11,20 @@ def refuse(text):
     sys.exit(f"{os.path.basename(sys.argv[0])}: {text}")
 
 
-def read(path):
-    """Rows of a table by the names of the columns, without units."""
-    with open(path, encoding="utf-8") as lines:
-        rows = list(csv.reader(line for line in lines if not line.startswith("#")))
-    names = [name.split(" [")[0] for name in rows[0]] if rows else []
-    return [dict(zip(names, row)) for row in rows[1:]]
+def one_line(kind, error, trace):
+    """Prints an error of the package as refuse does."""
+    if issubclass(kind, scree.Error):
+        print(f"{os.path.basename(sys.argv[0])}: {error}", file=sys.stderr)
+    else:
+        sys.__excepthook__(kind, error, trace)
+
+
+sys.excepthook = one_line
 
 
 def runs_of(folder, *columns):
-    """Rows of the finished runs of a campaign, with the path of each; none if there is no such campaign. Ends
-    the script with one line if its table lacks one of the columns."""
-    table = os.path.join(folder, "table.csv")
-    rows = read(table) if os.path.exists(table) else []
-    for column in columns:
-        if rows and column not in rows[0]:
-            refuse(f"{table}: there is no column '{column}'; give the folder of a campaign that varies it")
-    for row in rows:
-        row["path"] = os.path.join(folder, row["run"])
-    return [row for row in rows if row["status"] == "finished"]
-
-
-def scenario_of(run):
-    """The scenario of a run, with all its overrides."""
-    with open(os.path.join(run, "scenario.toml"), "rb") as scenario:
-        return tomllib.load(scenario)
+    """The finished runs of a campaign, whose table must have the columns; none if there is no such campaign."""
+    return scree.Campaign(folder).finished(*columns) if os.path.exists(os.path.join(folder, "table.csv")) else []
 
 
 def arguments(usage, least, most):
@@ -66,9 +55,8 @@ def folders(usage):
 def study_of(folder):
     """The name of the file of a campaign without its ending, or the name of a folder that is no campaign."""
     try:
-        with open(os.path.join(folder, "campaign.json"), encoding="utf-8") as record:
-            return os.path.splitext(os.path.basename(json.load(record)["file"]))[0]
-    except OSError:
+        return os.path.splitext(os.path.basename(scree.Campaign(folder).record["file"]))[0]
+    except scree.Error:
         return os.path.basename(os.path.abspath(folder))
 
 

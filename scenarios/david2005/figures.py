@@ -6,7 +6,7 @@ campaign lacks are kept and count too, but for their loops. Of rates.toml and of
 quickstart.toml it records numbers alone.
 
 Usage: python3 scenarios/david2005/figures.py DIR... [--out FOLDER, default: the first DIR]
-DIR: a campaign of this folder, or this folder, for the runs that its runs.csv keeps. Needs python3-matplotlib."""
+DIR: a campaign of this folder, or this folder, for the runs that its runs.csv keeps. Needs python3-matplotlib and python3-pandas."""
 import math
 import os
 import statistics

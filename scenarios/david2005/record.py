@@ -67,11 +67,11 @@ def put_frictions(results, study, campaign):
         ("contacts.coordination_number.last", "contacts per sphere after the cycle"),
         ("box.deviatoric_strain.max", "largest deviatoric strain"),
     )
-    rows = runs_of(campaign, *(column for column, _ in columns), "contact.static_friction")
+    rows = [run.row for run in runs_of(campaign, *(column for column, _ in columns), "contact.static_friction")]
     for friction in dict.fromkeys(row["contact.static_friction"] for row in rows):
         chosen = [row for row in rows if row["contact.static_friction"] == friction]
         for column, name in columns:
-            mean, error = mean_of([float(row[column]) for row in chosen])
+            mean, error = mean_of([row[column] for row in chosen])
             results.put(
-                (study, name, f"μ = {float(friction):g}"), "1", text(mean, 3), text(error, 2), len(chosen), campaign
+                (study, name, f"μ = {friction:g}"), "1", text(mean, 3), text(error, 2), len(chosen), campaign
             )

@@ -2,17 +2,17 @@
 table that keeps them."""
 import csv
 import itertools
-import json
 import math
 import os
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-from tables import read, refuse, runs_of, scenario_of  # noqa: E402 (of the folder above)
+from tables import refuse, runs_of, scree  # noqa: E402 (of the folder above)
 
+numpy = scree.errors.package("numpy")
 SPRINGS = {"linear_spring_dashpot": "David et al.", "sphere_path_independent": "painted points"}
-KEYS = ("spheres", "friction", "spring", "seed", "period [s]", "step [s]")
-COLUMNS = ("cycle", "strain", "loop_area [Pa]", "slope [Pa]")
+HEADER = ("spheres", "friction", "spring", "seed", "period [s]", "step [s]", "cycle", "strain", "loop_area [Pa]", "slope [Pa]")
+KEYS = ["spheres", "friction", "spring", "seed", "period", "step"]
 
 
 class Run:
@@ -32,87 +32,57 @@ class Run:
 
 def area(strain, stress):
     """∮ σ dε, closed from the last point to the first, as `scree cycles` does."""
-    closed_strain, closed_stress = [*strain, strain[0]], [*stress, stress[0]]
-    return sum(
-        (a + b) / 2 * (d - c)
-        for a, b, c, d in zip(closed_stress, closed_stress[1:], closed_strain, closed_strain[1:])
-    )
+    return ((stress + numpy.roll(stress, -1)) / 2 * (numpy.roll(strain, -1) - strain)).sum()
 
 
 def slope(strain, stress):
-    top = max(range(len(stress)), key=stress.__getitem__)
+    """Slope from the first point of a loop to its largest stress."""
+    top = stress.argmax()
     return (stress[top] - stress[0]) / (strain[top] - strain[0])
 
 
-def bodies_of(path, scenario):
-    """Number of bodies of the lattice, or of the state from which the run began."""
-    if "lattice" in scenario["particles"]:
-        return math.prod(scenario["particles"]["lattice"]["count"])
-    with open(os.path.join(path, "run.json"), encoding="utf-8") as record:
-        return json.load(record)["footprint"]["bodies"]
-
-
-def run_at(path):
-    """A run of a campaign."""
-    scenario = scenario_of(path)
-    contact, stage = scenario["contact"][0], scenario["stage"][-1]
+def run_of(run):
+    """The Run of a result of a campaign."""
+    scenario = run.scenario
+    contact, stage, lattice = scenario["contact"][0], scenario["stage"][-1], scenario["particles"].get("lattice")
     # Cycles may have another friction than the preparation.
-    friction = (
-        stage.get("set", {})
-        .get(contact.get("name", contact["plugin"]), {})
-        .get("static_friction", contact["static_friction"])
-    )
-    key = (
-        bodies_of(path, scenario),
-        float(friction),
-        SPRINGS[contact["plugin"]],
-        scenario["scene"]["seed"],
-        float(stage["period"]),
-        float(scenario["time"]["step"]),
-    )
-    rows = read(os.path.join(path, "series", "box.csv"))
-    times, strain, stress = ([float(r[c]) for r in rows] for c in ("time", "deviatoric_strain", "deviatoric_stress"))
-    n = round(stage["period"] / (times[1] - times[0]))
+    changed = stage.get("set", {}).get(contact.get("name", contact["plugin"]), {})
+    friction = changed.get("static_friction", contact["static_friction"])
+    size = math.prod(lattice["count"]) if lattice else run.record["footprint"]["bodies"]
+    key = size, float(friction), SPRINGS[contact["plugin"]], scenario["scene"]["seed"], float(stage["period"]), float(scenario["time"]["step"])
+    box = run.series["box"]
+    strain, stress = box.deviatoric_strain.to_numpy(), box.deviatoric_stress.to_numpy()
+    n = round(stage["period"] / (box.time[1] - box.time[0]))
     loops = [(strain[at : at + n + 1], stress[at : at + n + 1]) for at in range(0, len(strain) - n, n)]
-    return Run(
-        key, strain[::n], [area(*loop) for loop in loops], [slope(*loop) for loop in loops], (strain, stress), n
-    )
+    return Run(key, strain[::n], [area(*loop) for loop in loops], [slope(*loop) for loop in loops], (strain, stress), n)
 
 
 def runs_at(folder):
     """Finished runs of a campaign. Ends the script with one line if they are of another kind."""
     runs = []
-    for row in runs_of(folder):
+    for run in runs_of(folder):
         try:
-            runs.append(run_at(row["path"]))
-        except (KeyError, IndexError, OSError) as error:
-            refuse(f"{row['path']}: not a run of cyclic loading of a scenario of this folder: no {error}")
+            runs.append(run_of(run))
+        except scree.Error:
+            raise
+        except (AttributeError, KeyError, IndexError) as error:
+            refuse(f"{run.path}: not a run of cyclic loading of a scenario of this folder: no {error}")
     return runs
 
 
 def kept_runs(table):
     """Runs of a table that `keep` wrote; none if there is none."""
-    rows = [list(row.values()) for row in read(table)] if os.path.exists(table) else []
-    runs = []
-    for texts, cycles in itertools.groupby(rows, key=lambda row: row[: len(KEYS)]):
-        strain, loop_area, slopes = ([float(v) for v in values] for values in list(zip(*cycles))[len(KEYS) + 1 :])
-        size, friction, spring, seed, period, step = texts
-        runs.append(
-            Run(
-                (int(size), float(friction), spring, int(seed), float(period), float(step)),
-                strain,
-                loop_area[1:],
-                slopes[1:],
-            )
-        )
-    return runs
+    if not os.path.exists(table):
+        return []
+    groups = scree.read_table(table).groupby(KEYS, sort=False)
+    return [Run(key, rows.strain.tolist(), rows.loop_area.tolist()[1:], rows.slope.tolist()[1:]) for key, rows in groups]
 
 
 def keep(runs, table):
     """Writes one row a cycle of each run; before the first cycle there is no loop."""
     with open(table, "w", encoding="utf-8", newline="") as file:
         rows = csv.writer(file, lineterminator="\n")
-        rows.writerow(KEYS + COLUMNS)
+        rows.writerow(HEADER)
         for run in runs:
             loops = itertools.chain([(math.nan, math.nan)], zip(run.loop_area, run.slope))
             for cycle, (strain, (loop_area, slopes)) in enumerate(zip(run.strain, loops)):

@@ -1,16 +1,11 @@
 """Pictures of the gallery that are charts: bouncing ball, gas that cools, piston, wave in a chain."""
 import math
-import os
 
 from drawing import pyplot
+import numpy
 from matplotlib.collections import EllipseCollection
-from tables import read, scenario_of
 
 BLUE, ORANGE, GREEN, RED, GREY = "#1b3a6b", "#d98e04", "#2e8b6f", "#c0392b", "#777777"
-
-
-def column(run, probe, name):
-    return [float(row[name]) for row in read(os.path.join(run, "series", probe + ".csv"))]
 
 
 def chart(rows=1, columns=1, height=4.2, **options):
@@ -28,12 +23,10 @@ def save(figure, path):
     print("  " + path)
 
 
-def draw_discs(axes, discs, colours, edge="#5f7186"):
-    """Discs (x, y, radius) in the units of the axes."""
-    widths = [2 * radius for _, _, radius in discs]
-    places = {"offsets": [disc[:2] for disc in discs], "units": "xy", "transOffset": axes.transData}
-    axes.add_collection(EllipseCollection(widths, widths, [0] * len(discs), facecolors=colours, edgecolors=edge,
-                                          linewidths=0.4, **places))
+def draw_discs(axes, x, y, radius, colours, edge="#5f7186"):
+    """Discs in the units of the axes."""
+    places = {"offsets": numpy.column_stack([x, y]), "units": "xy", "transOffset": axes.transData}
+    axes.add_collection(EllipseCollection(2 * radius, 2 * radius, 0 * radius, facecolors=colours, edgecolors=edge, linewidths=0.4, **places))
     axes.set_aspect("equal")
 
 
@@ -44,10 +37,9 @@ def wall(axes, *points, width=3):
 def bouncing_ball(run, _, path):
     """Heights over time, with the heights h e^(2n) and the times of rest."""
     figure, axes = chart()
-    times, radius, fall = column(run, "path", "time"), 0.02, math.sqrt(2 / 9.81)
+    balls, radius, fall = run.series["path"], 0.02, math.sqrt(2 / 9.81)
     for body, e, colour, label in ((1, 0.8, BLUE, 0.15), (2, 0.65, GREEN, 0.36), (3, 0.5, ORANGE, 0.55)):
-        heights = [z - radius for z in column(run, "path", f"z_{body}")]
-        axes.plot(times, heights, color=colour, linewidth=1.6, label=f"e = {e}")
+        axes.plot(balls.time, balls[f"z_{body}"] - radius, color=colour, linewidth=1.6, label=f"e = {e}")
         apex = [fall * (1 + 2 * sum(e**k for k in range(1, n)) + e**n) for n in range(1, 9)]
         axes.plot(apex, [e ** (2 * n) for n in range(1, 9)], "o", color=colour, markersize=7, fillstyle="none")
         rest = fall * (1 + e) / (1 - e)
@@ -73,25 +65,24 @@ def haff(energy, drift, bodies=512, side=0.033, radius=0.001, density=2500, e=0.
     return rate * (1 - e**2) / 6 * (1 + 3 * sonine / 16)
 
 
-def drift_energy(run, bodies=512, radius=0.001, density=2500):
+def drift_energy(momentum, bodies=512, radius=0.001, density=2500):
     """Kinetic energy (J) of the mean motion, which collisions keep."""
     mass = bodies * density * 4 / 3 * math.pi * radius**3
-    return sum(column(run, "momentum", f"momentum_{axis}")[0] ** 2 for axis in "xyz") / 2 / mass
+    return (momentum.loc[0, ["momentum_x", "momentum_y", "momentum_z"]] ** 2).sum() / 2 / mass
 
 
 def gas_that_cools(run, _, path):
     """Energy over time, both over their scales, on logarithmic axes."""
     figure, axes = chart()
-    times, energy = column(run, "energy", "time"), column(run, "energy", "kinetic_translation")
-    drift = drift_energy(run)
-    rate = haff(energy[0], drift)
-    scaled = [((t - 0.05) * rate, (e - drift) / (energy[0] - drift)) for t, e in zip(times, energy) if t > 0.05]
-    line = [(0.01 * 10 ** (k / 50)) for k in range(0, 151)]
-    law = [1 / (1 + x) ** 2 for x in line]
-    axes.plot(line, law, color=ORANGE, linewidth=3.5, alpha=0.75, label="Haff: $(1+t/t_H)^{-2}$")
-    axes.plot(line, [x**-2 for x in line], "--", color=GREY, linewidth=1, label="$(t/t_H)^{-2}$")
-    chosen = [scaled[min(int(1.35**k), len(scaled)) - 1] for k in range(0, 20)]
-    axes.plot(*zip(*chosen), "o", color=BLUE, markersize=6, label="512 beads, e = 0.9")
+    gas, drift = run.series["energy"], drift_energy(run.series["momentum"])
+    start = gas.kinetic_translation[0]
+    gas = gas[gas.time > 0.05]
+    line = numpy.geomspace(0.01, 10, 151)
+    axes.plot(line, (1 + line) ** -2, color=ORANGE, linewidth=3.5, alpha=0.75, label="Haff: $(1+t/t_H)^{-2}$")
+    axes.plot(line, line**-2, "--", color=GREY, linewidth=1, label="$(t/t_H)^{-2}$")
+    chosen = gas.iloc[[min(int(1.35**k), len(gas)) - 1 for k in range(20)]]
+    axes.plot((chosen.time - 0.05) * haff(start, drift), (chosen.kinetic_translation - drift) / (start - drift), "o", color=BLUE,
+              markersize=6, label="512 beads, e = 0.9")
     axes.set(xscale="log", yscale="log", xlim=(0.012, 8), ylim=(0.015, 1.5))
     axes.set(xlabel="time / $t_H$", ylabel="energy / energy at the start")
     axes.legend(frameon=False, loc="lower left")
@@ -106,70 +97,53 @@ def hard_sphere_factor(share):
 def adiabat(share, start):
     """Temperature over that at the start: head of piston.toml."""
     excess = [x * (4 - 3 * x) / (1 - x) ** 2 for x in (share, start)]
-    return (share / start) ** (2 / 3) * math.exp(2 / 3 * (excess[0] - excess[1]))
-
-
-def smooth(values, width):
-    return [sum(values[k:k + width]) / width for k in range(0, len(values) - width + 1, width)]
+    return (share / start) ** (2 / 3) * numpy.exp(2 / 3 * (excess[0] - excess[1]))
 
 
 def piston(run, _, path):
     """The gas below its piston, and pressure over volume with the adiabats of the ideal gas and of hard spheres."""
     figure, (gas, axes) = chart(1, 2, gridspec_kw={"width_ratios": [1, 2.2]})
-    beads = sorted(read(os.path.join(run, "final_packing.csv")), key=lambda row: -float(row["y"]))
-    draw_discs(gas, [(float(r["x"]) % 0.05 * 1e3, float(r["z"]) * 1e3, 1) for r in beads],
-               [pyplot.cm.Blues(0.75 - 0.5 * (float(r["y"]) % 0.05) / 0.05) for r in beads])
+    beads = run.bodies().sort_values("y", ascending=False, kind="stable")
+    draw_discs(gas, beads.x % 0.05 * 1e3, beads.z * 1e3, 1 + 0 * beads.x, pyplot.cm.Blues(0.75 - 0.5 * (beads.y % 0.05) / 0.05))
     wall(gas, (0, 58), (0, 0), (50, 0), (50, 58))
     gas.add_patch(pyplot.Rectangle((0, 27), 50, 4, color="#333333"))
     gas.plot([0, 50], [52, 52], "--", color=GREY, linewidth=1.2)
     gas.annotate("", (25, 34), (25, 50), arrowprops={"arrowstyle": "-|>", "color": RED, "linewidth": 1.5})
     gas.set(xlim=(-2, 52), ylim=(-2, 60))
     gas.axis("off")
-    rows = [r for r in read(os.path.join(run, "series", "walls.csv")) if r["stage"] == "2"]
-    force = smooth([(float(r["normal_force_1"]) + float(r["normal_force_2"])) / 2 for r in rows], 830)
-    length = smooth([0.05 - abs(float(r["displacement_z_2"])) for r in rows], 830)
-    volume = 512 * math.pi / 6 * 0.002**3
-    start = volume / 0.05**3
-    energy = energy_before(run)
-    grid = [0.05 - 0.025 * k / 100 for k in range(101)]
-    pressure = [2 / 3 * energy / (0.05**2 * z) for z in grid]
-    shares = [volume / (0.05**2 * z) for z in grid]
-    hard = [p * adiabat(share, start) * hard_sphere_factor(share) for p, share in zip(pressure, shares)]
-    ideal = [p * (0.05 / z) ** (2 / 3) for p, z in zip(pressure, grid)]
-    ratios = [z / 0.05 for z in grid]
-    axes.plot(ratios, hard, color=ORANGE, linewidth=3.5, alpha=0.75, label="adiabat of hard spheres")
-    axes.plot(ratios, ideal, "--", color=GREEN, label="adiabat of the ideal gas, $p \\propto V^{-5/3}$")
-    axes.plot(ratios, pressure, ":", color=GREY, label="isotherm, $p \\propto V^{-1}$")
-    measured = [(z / 0.05, f / 0.05**2) for z, f in zip(length, force)]
-    axes.plot(*zip(*measured), "o", color=BLUE, markersize=6, label="512 beads")
+    height = numpy.linspace(0.05, 0.025, 101)
+    share, start = (512 * math.pi / 6 * 0.002**3 / (0.05**2 * z) for z in (height, 0.05))
+    pressure = 2 / 3 * run.series["before"].kinetic_translation.mean() / (0.05**2 * height)
+    axes.plot(height / 0.05, pressure * adiabat(share, start) * hard_sphere_factor(share), color=ORANGE, linewidth=3.5, alpha=0.75,
+              label="adiabat of hard spheres")
+    axes.plot(height / 0.05, pressure * (0.05 / height) ** (2 / 3), "--", color=GREEN,
+              label="adiabat of the ideal gas, $p \\propto V^{-5/3}$")
+    axes.plot(height / 0.05, pressure, ":", color=GREY, label="isotherm, $p \\propto V^{-1}$")
+    walls = run.series["walls"].query("stage == 2").reset_index(drop=True)
+    means = walls.groupby(walls.index // 830).mean()[: len(walls) // 830]
+    axes.plot((0.05 - means.displacement_z_2.abs()) / 0.05, (means.normal_force_1 + means.normal_force_2) / 2 / 0.05**2, "o", color=BLUE,
+              markersize=6, label="512 beads")
     axes.set(xlabel="volume / volume at the start", ylabel="pressure (Pa)", xlim=(1.02, 0.48))
     axes.legend(frameon=False, loc="upper left")
     save(figure, path)
 
 
-def energy_before(run):
-    """Kinetic energy (J) before the compression, mean over the stage."""
-    values = column(run, "before", "kinetic_translation")
-    return sum(values) / len(values)
-
-
 def bessel(order, x, points=2000):
     """J of an even order: the mean of cos(order s − x sin s) over half a turn, by the trapezoidal rule."""
-    turns = [math.pi * (k + 0.5) / points for k in range(points)]
-    return sum(math.cos(order * s - x * math.sin(s)) for s in turns) / points
+    turns = math.pi * (numpy.arange(points) + 0.5) / points
+    return numpy.cos(order * turns - x * numpy.sin(turns)).mean()
 
 
 def wave_in_a_chain(run, _, path):
     """Speeds of all balls at the end against the Bessel functions, and the front."""
     figure, axes = chart()
-    packing = read(os.path.join(run, "final_packing.csv"))
-    speeds = {int(row["id"]) - 51: float(row["vx"]) / 1e-4 for row in packing}
-    frequency = 80 / scenario_of(run)["stage"][0]["duration"]
+    packing = run.bodies()
+    frequency = 80 / run.scenario["stage"][0]["duration"]
     balls = range(-50, 51)
     axes.axhline(0, color="#cccccc", linewidth=0.8)
     law = [bessel(2 * abs(n), 80) for n in balls]
     axes.vlines(balls, 0, law, color=ORANGE, linewidth=4, alpha=0.8, label="$v_0\\,J_{2n}(\\omega_m t)$")
-    axes.plot(balls, [speeds[n] for n in balls], "o", color=BLUE, markersize=4, label="steel balls")
+    axes.plot(packing.id - 51, packing.vx / 1e-4, "o", color=BLUE, markersize=4, label="steel balls")
     for side in (-1, 1):
         axes.axvline(side * 40, color=GREEN, linewidth=1.2, linestyle="--")
     axes.annotate("$c\\,t = 40$ balls", (40, 0.17), (-4, 0), textcoords="offset points", ha="right", color=GREEN)

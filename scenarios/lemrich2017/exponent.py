@@ -8,27 +8,16 @@ import statistics
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-from tables import arguments, no_runs, read, refuse, runs_of  # noqa: E402 (of the folder above)
+from tables import arguments, no_runs, refuse, runs_of  # noqa: E402 (of the folder above)
 
 NAMES = {0.25: "λ/4", 0.75: "3λ/4", 1.25: "5λ/4"}
 
 
-def largest_peaks(path):
+def largest_peaks(peaks):
     """The peak with the largest amplitude, for each number of wavelengths: frequency, its error, Q."""
-    largest = {}
-    for peak in read(path):
-        if not peak["wavelengths"]:
-            continue
-        wavelengths = float(peak["wavelengths"])
-        if wavelengths not in largest or float(peak["amplitude"]) > float(largest[wavelengths]["amplitude"]):
-            largest[wavelengths] = peak
-    return {w: (float(p["frequency"]), float(p["frequency_error"]), float(p["quality"])) for w, p in largest.items()}
-
-
-def slope(points):
-    """Slope of a straight line through (x, y), by least squares."""
-    x_mean, y_mean = (statistics.fmean(p[k] for p in points) for k in (0, 1))
-    return sum((x - x_mean) * (y - y_mean) for x, y in points) / sum((x - x_mean) ** 2 for x, _ in points)
+    named = peaks[peaks.wavelengths.notna()]
+    largest = named.loc[named.groupby("wavelengths").amplitude.idxmax()].set_index("wavelengths")
+    return dict(zip(largest.index, largest[["frequency", "frequency_error", "quality"]].to_numpy().tolist()))
 
 
 def print_peaks(packings):
@@ -45,11 +34,8 @@ def print_peaks(packings):
 
 def packings_of(folder):
     """Peaks by stress (Pa) and seed. Ends the script with one line if there are none, or a packing lacks one."""
-    packings = {}
-    for row in runs_of(folder, "boundary.bottom.stress"):
-        packings[float(row["boundary.bottom.stress"]), row["seed"]] = largest_peaks(
-            os.path.join(row["path"], "peaks.csv")
-        )
+    column = "boundary.bottom.stress"
+    packings = {(run.row[column], run.row["seed"]): largest_peaks(run.table("peaks")) for run in runs_of(folder, column)}
     if not packings:
         no_runs(folder, "scenarios/lemrich2017/spectra.toml")
     lacking = [
@@ -67,19 +53,13 @@ def exponents_of(packings):
     seeds = sorted({seed for _, seed in packings})
     if any(sum(s == seed for _, s in packings) < 2 for seed in seeds):
         return {}
-    return {
-        name: [
-            slope(
-                [
-                    (math.log(stress), math.log(peaks[wavelengths][0]))
-                    for (stress, s), peaks in packings.items()
-                    if s == seed
-                ]
-            )
-            for seed in seeds
-        ]
-        for wavelengths, name in NAMES.items()
-    }
+    return {name: [exponent_of(packings, seed, wavelengths) for seed in seeds] for wavelengths, name in NAMES.items()}
+
+
+def exponent_of(packings, seed, wavelengths):
+    """Slope of the logarithms of a seed by least squares."""
+    points = [(math.log(stress), math.log(peaks[wavelengths][0])) for (stress, s), peaks in packings.items() if s == seed]
+    return statistics.linear_regression(*zip(*points)).slope
 
 
 def mean_and_error(slopes):
@@ -98,7 +78,7 @@ def main():
     single = [seed for seed in seeds if sum(s == seed for _, s in packings) < 2]
     if single:
         refuse(
-            f"{folder}: no exponent from one stress, of seed {', '.join(single)}; let the campaign finish two or more"
+            f"{folder}: no exponent from one stress, of seed {', '.join(map(str, single))}; let the campaign finish two or more"
         )
     for name, slopes in exponents_of(packings).items():
         mean, error = mean_and_error(slopes)

@@ -3,8 +3,7 @@ drives.toml, and what the paper claims (claims.png) from results.csv; prints the
 spectra.toml, and records them in results.csv.
 
 Usage: python3 scenarios/lemrich2017/figures.py DIR... [--out FOLDER, default: the first DIR]
-DIR: a campaign, or this folder, for claims.png of what is recorded. Needs python3-matplotlib."""
-import cmath
+DIR: a campaign, or this folder, for claims.png of what is recorded. Needs python3-matplotlib and python3-pandas."""
 import itertools
 import math
 import os
@@ -16,12 +15,14 @@ sys.path.insert(0, PAPER)
 from claims import draw_claims  # noqa: E402 (of this folder, like the next)
 from exponent import exponents_of, packings_of, print_peaks  # noqa: E402
 from record import put_collapse, put_drives, put_exponents, put_peaks  # noqa: E402
-from drawing import pyplot, ticker  # noqa: E402 (of the folder above, like the next)
+from drawing import pyplot, ticker  # noqa: E402 (of the folder above, like the next but one)
+import numpy  # noqa: E402
 from results import Results  # noqa: E402
-from tables import folders, made, no_runs, read, runs_of, scenario_of, study_of  # noqa: E402
+from tables import folders, made, no_runs, runs_of, scree, study_of  # noqa: E402
 
 MODULUS = 65e9  # Pa, of the beads
 COLUMN = "strain.distance"
+COLUMNS = ("boundary.bottom.stress", "spectrum.amplitude", "case")  # of a campaign
 COLOURS = ["#1b3a6b", "#2a7ab0", "#49a078", "#d98e04", "#c0392b", "#7d3c98"]
 LAYERS_APART = 3  # of 14: the 0.214 of the height in figure 4
 LEAST_QUALITY = 2  # below it, a maximum is no resonance: the packing is shaken loose
@@ -30,32 +31,21 @@ LEAST_QUALITY = 2  # below it, a maximum is no resonance: the packing is shaken 
 class Sweep:
     """One run of the campaign: a stress, a drive, the response and its highest peak."""
 
-    def __init__(self, row, folder):
-        self.prepared = os.path.join(
-            folder, "prepare", os.path.basename(os.path.dirname(scenario_of(row["path"])["particles"]["state"]))
-        )
-        self.stress = float(row["boundary.bottom.stress"])
-        self.case = row["case"]
-        self.amplitude = float(row["spectrum.amplitude"])
-        spectrum = read(os.path.join(row["path"], "spectrum.csv"))
-        self.frequencies = [float(r["frequency"]) for r in spectrum]
-        self.response = [float(r[f"{COLUMN}.amplitude"]) for r in spectrum]
-        self.largest = max(range(len(self.response)), key=self.response.__getitem__)
-        peaks = [r for r in read(os.path.join(row["path"], "peaks.csv")) if r["column"] == COLUMN]
-        self.peak = min(
-            peaks, key=lambda r: abs(float(r["frequency"]) - self.frequencies[self.largest]), default=None
-        )
-        self.layers = self.read_layers(os.path.join(row["path"], "shapes.csv"))
+    def __init__(self, run):
+        self.prepared = run.path.parent / "prepare" / os.path.basename(os.path.dirname(run.scenario["particles"]["state"]))
+        self.stress, self.amplitude, self.case = (run.row[name] for name in COLUMNS)
+        spectrum, peaks = run.table("spectrum"), run.table("peaks")
+        self.frequencies, self.response = spectrum.frequency.to_numpy(), spectrum[f"{COLUMN}.amplitude"].to_numpy()
+        self.largest = self.response.argmax()
+        peaks = peaks[peaks.column == COLUMN]
+        nearest = (peaks.frequency - self.frequencies[self.largest]).abs()
+        self.peak = peaks.loc[nearest.idxmin()] if len(peaks) else None
+        self.layers = self.layers_of(run.table("shapes")) if "shapes" in run.tables and len(peaks) else []
 
-    def read_layers(self, path):
+    def layers_of(self, shapes):
         """Complex displacements of the layers at the peak, over the displacement of the drive."""
-        if self.peak is None or not os.path.exists(path):
-            return []
-        return [
-            cmath.rect(float(r["amplitude"]), float(r["phase"]))
-            for r in read(path)
-            if r["column"] == COLUMN and r["frequency"] == self.peak["frequency"]
-        ]
+        shape = shapes[(shapes.column == COLUMN) & (shapes.frequency == self.peak.frequency)]
+        return (shape.amplitude * numpy.exp(1j * shape.phase)).to_numpy()
 
     def top(self):
         """Frequency (Hz) and response (1/m) of the maximum, by a parabola through the three highest points."""
@@ -68,17 +58,15 @@ class Sweep:
 
     def height(self):
         """Height of the packing from which the sweep begins (m)."""
-        with open(os.path.join(self.prepared, "final_packing.csv"), encoding="utf-8") as packing:
-            ends = {
-                line.split()[1]: float(line.split()[4]) for line in packing if line.startswith(("# lower", "# upper"))
-            }
-        return ends["upper"] - ends["lower"]
+        head = scree.Result(self.prepared).bodies().attrs["head"]
+        lower, upper = (float(head[end].split()[1]) for end in ("lower", "upper"))
+        return upper - lower
 
     def local_strain(self):
         return self.top()[1] * self.amplitude
 
     def quality(self):
-        return float(self.peak["quality"]) if self.peak else math.nan
+        return math.nan if self.peak is None else self.peak.quality
 
     def scaled(self):
         """Local strain and frequency (Hz) over what Hertz's law makes them depend on the stress."""
@@ -91,20 +79,16 @@ class Sweep:
 
 
 def sweeps_of(folder):
-    return sorted(
-        (Sweep(row, folder) for row in runs_of(folder, "boundary.bottom.stress", "spectrum.amplitude", "case")),
-        key=lambda s: (s.stress, s.amplitude),
-    )
+    return sorted((Sweep(run) for run in runs_of(folder, *COLUMNS)), key=lambda s: (s.stress, s.amplitude))
 
 
 def draw_sweeps(sweeps, path):
     figure, axes = pyplot.subplots(figsize=(8, 5))
     height = sweeps[0].height()
     for sweep, colour in zip(sweeps, itertools.cycle(COLOURS)):
-        ratio = [r * height for r in sweep.response]
         axes.plot(
-            [f / 1e3 for f in sweep.frequencies],
-            ratio,
+            sweep.frequencies / 1e3,
+            sweep.response * height,
             color=colour,
             marker="o",
             markersize=3,
@@ -144,26 +128,23 @@ def draw_collapse(sweeps, path):
 
 def strain_profile(layers):
     """Heights, as shares of the packing, and amplitudes of the strain between layers 0.214 of it apart."""
-    count = len(layers)
-    heights = [(k + 0.5 + LAYERS_APART / 2) / count for k in range(count - LAYERS_APART)]
-    strains = [abs(layers[k + LAYERS_APART] - layers[k]) for k in range(count - LAYERS_APART)]
-    return heights, strains
+    strains = abs(layers[LAYERS_APART:] - layers[:-LAYERS_APART])
+    return (numpy.arange(len(strains)) + 0.5 + LAYERS_APART / 2) / len(layers), strains
 
 
 def ideal_strain(height):
     """Strain over the same distance of the mode 3λ/4 with a free lower end, cos(3π h/2)."""
     half = LAYERS_APART / 14 / 2
     wave = 1.5 * math.pi
-    return abs(math.cos(wave * (height + half)) - math.cos(wave * (height - half)))
+    return abs(numpy.cos(wave * (height + half)) - numpy.cos(wave * (height - half)))
 
 
 def draw_profile(sweeps, path):
     figure, axes = pyplot.subplots(figsize=(5.5, 6))
     for sweep, colour in zip(sweeps, (COLOURS[0], COLOURS[3], COLOURS[4])):
         heights, strains = strain_profile(sweep.layers)
-        largest = max(strains)
         axes.plot(
-            [s / largest for s in strains],
+            strains / max(strains),
             heights,
             color=colour,
             marker="o",
@@ -171,9 +152,8 @@ def draw_profile(sweeps, path):
             linewidth=1.2,
             label=f"{sweep.amplitude:.0e} m, {sweep.top()[0] / 1e3:.1f} kHz",
         )
-    fine = [LAYERS_APART / 28 + k * (1 - LAYERS_APART / 14) / 200 for k in range(201)]
-    ideal = [ideal_strain(h) for h in fine]
-    axes.plot([s / max(ideal) for s in ideal], fine, color="black", linewidth=1.2, label="3λ/4")
+    fine = numpy.linspace(LAYERS_APART / 28, 1 - LAYERS_APART / 28, 201)
+    axes.plot(ideal_strain(fine) / max(ideal_strain(fine)), fine, color="black", linewidth=1.2, label="3λ/4")
     axes.set(xlabel="local strain / the largest", ylabel="height / height of the packing", ylim=(0, 1))
     axes.set_title(f"Strain over the height at the peak, {sweeps[0].case} (figure 4)", loc="left", fontsize=10)
     axes.legend(frameon=False, fontsize=9)
@@ -228,7 +208,7 @@ def evaluate_drives(sweeps, campaign, out, results):
         print(f"{name} {strain:g}: the frequencies of {count} stresses lie within {100 * share:.1f} % of their mean")
     put_collapse(results, apart, campaign)
     draw_collapse(sweeps, os.path.join(out, "collapse.png"))
-    shaped = [s for s in sweeps if s.stress == sweeps[0].stress and s.layers]
+    shaped = [s for s in sweeps if s.stress == sweeps[0].stress and len(s.layers)]
     if shaped:
         draw_profile([shaped[0], shaped[len(shaped) // 2], shaped[-1]], os.path.join(out, "profile.png"))
 

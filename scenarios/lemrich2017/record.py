@@ -31,13 +31,13 @@ def put_drives(results, study, sweeps, campaign):
         case = f"{sweep.stress / 1e3:g} kPa, A = {sweep.amplitude:g} m"
         results.put((study, "frequency of the maximum", case), "kHz", f"{sweep.top()[0] / 1e3:.2f}", "", 1, campaign)
         results.put((study, "local strain at the maximum", case), "1", f"{sweep.local_strain():.2g}", "", 1, campaign)
-        if sweep.peak:
-            error = sweep.peak.get("quality_error", "")
+        if sweep.peak is not None:
+            error = sweep.peak.get("quality_error", math.nan)
             results.put(
                 (study, "Q of the nearest mode", case),
                 "1",
                 f"{sweep.quality():.1f}",
-                f"{float(error):.1f}" if error else "",
+                "" if math.isnan(error) else f"{error:.1f}",
                 1,
                 campaign,
             )

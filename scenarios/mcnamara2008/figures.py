@@ -4,7 +4,7 @@ numbers and records them in results.csv.
 Usage: python3 scenarios/mcnamara2008/figures.py DIR... [--out FOLDER, default: the first DIR]
 DIR: a campaign, or a folder of campaigns. cycle.png is of paths, ellipse.png of elliptic and paths, steps.png
 of laws and steps, rattlers.png of rattlers and long; of choices, fine and large there are numbers alone. A
-picture lacks the panels whose campaigns are missing, and a line says so. Needs python3-matplotlib."""
+picture lacks the panels whose campaigns are missing, and a line says so. Needs python3-matplotlib and python3-pandas."""
 import math
 import os
 
@@ -30,7 +30,7 @@ from tables import folders, no_runs, study_of
 
 PAPER = os.path.dirname(os.path.abspath(__file__))
 MARKS = "os^dv<>ph*"
-SETTLING = "82"  # packing of long.toml that shakes down
+SETTLING = 82  # packing of long.toml that shakes down
 CAMPAIGNS = ("paths", "elliptic", "laws", "steps", "rattlers", "long", "choices", "fine", "large")
 
 
@@ -116,7 +116,7 @@ def draw_ratcheting(axes, biaxial):
 
 
 def draw_cycle(campaigns, out):
-    run = next((r for r in long_runs(campaigns.get("paths"), "case") if r["case"] == "biaxial"), None)
+    run = next((r for r in long_runs(campaigns.get("paths"), "case") if r.row["case"] == "biaxial"), None)
     biaxial = Biaxial(run) if run else None
     needs = "figures 1 to 4, of paths.toml: case biaxial with 30 cycles or more"
     sliding = biaxial.paths if biaxial and biaxial.slides() else None
@@ -169,12 +169,12 @@ def draw_ellipses(axes, runs):
         n, t, _ = of_phase.contacts[widest]
         axes.plot(n, t, color=colour, linewidth=1.2, label=phase)
     axes.legend(title=r"$\varphi$ / °", frameon=False, fontsize=8, title_fontsize=8)
-    label(axes, f"Packing {runs[0]['seed']}, {bodies_of(widest)} (figure 6)", "$F_n$ / N", "$F_t$ / N")
+    label(axes, f"Packing {runs[0].row['seed']}, {bodies_of(widest)} (figure 6)", "$F_n$ / N", "$F_t$ / N")
 
 
 def draw_loads(campaigns, out):
-    runs = [run for run in long_runs(campaigns.get("paths"), "case") if run["case"].startswith("phase ")]
-    runs = runs if any(run["case"] == "phase 90" for run in runs) else []
+    runs = [run for run in long_runs(campaigns.get("paths"), "case") if run.row["case"].startswith("phase ")]
+    runs = runs if any(run.row["case"] == "phase 90" for run in runs) else []
     compose(
         "ellipse.png",
         [
@@ -193,7 +193,7 @@ def draw_laws(axes, runs):
     """|Δγ| of the packings that ratchet, in descending order."""
     for case, colour, mark in (("Cundall and Strack", BLUE, "o"), ("corrected", RED, "x")):
         slopes = [
-            slope for slope, rms in (slope_of(r["path"]) for r in runs if r["case"] == case) if rms < abs(slope)
+            slope for slope, rms in (slope_of(r) for r in runs if r.row["case"] == case) if rms < abs(slope)
         ]
         if not slopes:
             continue
@@ -234,7 +234,7 @@ def draw_over_steps(axes, lines):
 
 def draw_steps(campaigns, out):
     laws = [
-        run for run in long_runs(campaigns.get("laws"), "case") if run["case"] in ("Cundall and Strack", "corrected")
+        run for run in long_runs(campaigns.get("laws"), "case") if run.row["case"] in ("Cundall and Strack", "corrected")
     ]
     both = "both laws, two steps or more of each, of 30 cycles or more"
     compose(
@@ -248,11 +248,11 @@ def draw_steps(campaigns, out):
 
 
 def draw_strain(axes, run, title):
-    draw_minima(axes, strains(run["path"], DROPPED)[DROPPED:], title.format(run["seed"]), "o-")
+    draw_minima(axes, strains(run, DROPPED)[DROPPED:], title.format(run.row["seed"]), "o-")
 
 
 def draw_settling(axes, run):
-    gamma = strains(run["path"], DROPPED)[DROPPED:]
+    gamma = strains(run, DROPPED)[DROPPED:]
     axes.semilogy(
         range(DROPPED, DROPPED + len(gamma) - 1), [abs(g - gamma[-1]) for g in gamma[:-1]], color=BLUE, linewidth=1
     )
@@ -260,9 +260,9 @@ def draw_settling(axes, run):
 
 
 def draw_rattlers(campaigns, out):
-    runs = {run["case"]: run for run in long_runs(campaigns.get("rattlers"), "case")}
+    runs = {run.row["case"]: run for run in long_runs(campaigns.get("rattlers"), "case")}
     outliers, periodic = runs.get("outliers"), runs.get("periodic")
-    longest = {run["seed"]: run for run in long_runs(campaigns.get("long"))}
+    longest = {run.row["seed"]: run for run in long_runs(campaigns.get("long"))}
     needs = "figures 15 and 16, of rattlers.toml: case outliers with 30 cycles or more"
     compose(
         "rattlers.png",

@@ -2,7 +2,7 @@
 import math
 
 from series import DROPPED, Paths, cycles_of, line_through, slope_of, strains
-from tables import runs_of, scenario_of  # of the folder above, which series.py adds
+from tables import runs_of  # of the folder above, which series.py adds
 
 LOAD = 0.15  # Δσ/p
 FRICTION = 0.2
@@ -15,7 +15,7 @@ def long_runs(campaign, *columns):
     """Runs of a campaign of at least 30 cycles of 10 τ; none if there is no campaign or its table lacks one of
     the columns."""
     runs = runs_of(campaign) if campaign else []
-    return [run for run in runs if all(c in run for c in columns) and cycles_of(run["path"]) > DROPPED]
+    return [run for run in runs if all(c in run.row for c in columns) and cycles_of(run) > DROPPED]
 
 
 def bodies_of(contact):
@@ -27,9 +27,9 @@ class Biaxial:
     """The run of paths.toml under a load on one pair of walls."""
 
     def __init__(self, run):
-        self.paths = Paths(run["path"])
-        self.name = f"{LAWS[scenario_of(run['path'])['contact'][0]['plugin']]}, packing {run['seed']}"
-        self.gamma, self.per = strains(run["path"], 0), self.paths.per_cycle
+        self.paths = Paths(run)
+        self.name = f"{LAWS[run.scenario['contact'][0]['plugin']]}, packing {run.row['seed']}"
+        self.gamma, self.per = strains(run, 0), self.paths.per_cycle
 
     def slides(self):
         return any(sum(sliding) for _, _, sliding in self.paths.contacts.values())
@@ -42,7 +42,7 @@ def contact_that_slides(paths):
 
 def ellipses_of(runs):
     """Paths of contacts by the phase of the load, in degrees."""
-    return {run["case"].split()[1]: Paths(run["path"]) for run in runs}
+    return {run.row["case"].split()[1]: Paths(run) for run in runs}
 
 
 def widest_of(ellipses):
@@ -52,7 +52,7 @@ def widest_of(ellipses):
 
 def put_paths(results, campaign):
     runs = long_runs(campaign, "case")
-    for run in (run for run in runs if run["case"] == "biaxial"):
+    for run in (run for run in runs if run.row["case"] == "biaxial"):
         biaxial = Biaxial(run)
         largest = max(abs(g) for g in biaxial.gamma[: biaxial.per])
         slope = line_through(biaxial.gamma[DROPPED * biaxial.per :: biaxial.per])[0]
@@ -60,11 +60,11 @@ def put_paths(results, campaign):
         samples = ", ".join(f"{contact} in {count} of {biaxial.per + 1} samples" for contact, count in slides.items())
         print(f"contacts that slide in the last cycle: {samples}")
         print(f"largest |γ| of the first cycle {largest:.4f}, slope {slope:.3e} per cycle")
-        case = f"packing {run['seed']}"
+        case = f"packing {run.row['seed']}"
         results.put(("paths", "contacts that slide", case), "1", f"{len(slides)}", "", 1, campaign)
         results.put(("paths", "largest |γ| of the first cycle", case), "1", f"{largest:.2g}", "", 1, campaign)
         results.put(("paths", "Δγ", case), "per cycle", f"{slope:.3g}", "", 1, campaign)
-    ellipses = ellipses_of([run for run in runs if run["case"].startswith("phase ")])
+    ellipses = ellipses_of([run for run in runs if run.row["case"].startswith("phase ")])
     if "90" not in ellipses:
         return
     widest = widest_of(ellipses)
@@ -96,7 +96,7 @@ def phases_of(campaign):
     """Δγ by φ in degrees, of each case and packing that has three phases or more."""
     by_packing = {}
     for run in long_runs(campaign, "case", PHASE):
-        by_packing.setdefault((run["case"], int(run["seed"])), {})[float(run[PHASE]) + 90] = slope_of(run["path"])[0]
+        by_packing.setdefault((run.row["case"], int(run.row["seed"])), {})[float(run.row[PHASE]) + 90] = slope_of(run)[0]
     return {key: slopes for key, slopes in by_packing.items() if len(slopes) > 2}
 
 
@@ -120,10 +120,10 @@ def put_verdicts(results, study, campaign):
     """Packings of each case that ratchet by the criterion of the paper, and their slopes."""
     by_case = {}
     for run in runs_of(campaign):
-        gamma = strains(run["path"], 0)
+        gamma = strains(run, 0)
         if len(gamma) > DROPPED + 1:
-            by_case.setdefault(run.get("case", "all packings"), []).append(
-                line_through(strains(run["path"], DROPPED)[DROPPED:])
+            by_case.setdefault(run.row.get("case", "all packings"), []).append(
+                line_through(strains(run, DROPPED)[DROPPED:])
             )
     for case, lines in by_case.items():
         slopes = sorted((slope for slope, deviation in lines if deviation < abs(slope)), key=abs)
@@ -147,9 +147,7 @@ def lines_of(campaign):
     """Δγ by step, of each law and packing that has two steps or more."""
     lines = {}
     for run in long_runs(campaign, "contact.discs.plugin", "time.step"):
-        lines.setdefault((run["contact.discs.plugin"], int(run["seed"])), {})[float(run["time.step"])] = slope_of(
-            run["path"]
-        )[0]
+        lines.setdefault((run.row["contact.discs.plugin"], int(run.row["seed"])), {})[float(run.row["time.step"])] = slope_of(run)[0]
     return {key: slopes for key, slopes in lines.items() if len(slopes) > 1}
 
 
@@ -178,8 +176,8 @@ def put_steps(results, campaign):
 
 def put_ranges(results, study, campaign):
     for run in long_runs(campaign):
-        gamma = strains(run["path"], DROPPED)[DROPPED:]
-        case = ", ".join(([run["case"]] if "case" in run else []) + [f"packing {run['seed']}"])
+        gamma = strains(run, DROPPED)[DROPPED:]
+        case = ", ".join(([run.row["case"]] if "case" in run.row else []) + [f"packing {run.row['seed']}"])
         print(f"{case}: range of γ over {len(gamma) - 1} cycles {max(gamma) - min(gamma):.2e}")
         results.put((study, "range of γ", case), "1", f"{max(gamma) - min(gamma):.2g}", "", 1, campaign)
 
