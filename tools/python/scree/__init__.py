@@ -1,8 +1,8 @@
 """Runs scree, a discrete-element laboratory for granular matter, and reads its results: see README.md."""
-from .campaigns import Campaign
+from .campaigns import Campaign, read
 from .errors import Error
 from .program import find_program
-from .results import Result, read
+from .results import Result
 from .runs import run, study
 from .states import State, contacts
 from .tables import read_table

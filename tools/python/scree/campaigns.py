@@ -1,4 +1,4 @@
-"""Results of a campaign: its tables and the results of each run."""
+"""Results of a campaign, its tables and the results of each run; and what a directory holds."""
 import functools
 import pathlib
 
@@ -52,3 +52,15 @@ class Campaign:
     def preparations(self):
         """The runs from which others began, by the names of their directories."""
         return {path.name: Result(path) for path in sorted((self.path / "prepare").glob("*")) if path.is_dir()}
+
+
+def read(directory):
+    """The results in a directory: a Result, or a Campaign."""
+    path = pathlib.Path(directory)
+    if not path.is_dir():
+        raise Error(f"{path}: there is no such directory; give the directory of a run, study or campaign")
+    if any((path / name).exists() for name in Campaign.FILES):
+        return Campaign(path)
+    result = Result(path)
+    result.kind  # noqa: B018 (an Error where there is no record)
+    return result

@@ -21,7 +21,7 @@ def find_program(program=None):
             return found
     found = next(filter(None, map(shutil.which, ("scree", *PLACES))), None)
     if not found:
-        raise Error("there is no program scree; give its path as program or in SCREE_PROGRAM, or add its folder to PATH")
+        raise Error("there is no program scree; give its path as program or in SCREE_PROGRAM, or its folder in PATH")
     return found
 
 

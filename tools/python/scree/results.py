@@ -55,7 +55,7 @@ class Result:
         for kind, name in self.RECORDS.items():
             if (self.path / name).exists():
                 return kind
-        raise Error(f"{self.path}: has no {', '.join(self.RECORDS.values())}; give a directory into which scree wrote results")
+        raise Error(f"{self.path}: has no {', '.join(self.RECORDS.values())}; give the directory of results of scree")
 
     @functools.cached_property
     def record(self):
@@ -67,10 +67,25 @@ class Result:
         """The scenario as it was run, with its overrides, as a dict."""
         return toml_of(self.path / "scenario.toml")
 
-    status = property(lambda self: self.record.get("status"), doc='"finished", "failed", "interrupted", "running", ...')
-    stages = property(lambda self: self.record.get("stages", []), doc="Of each stage: name, start, end, steps, and what ended it.")
-    expectations = property(lambda self: self.record.get("expect", []), doc="Value, reference or bounds of each [[expect]], and met.")
-    warnings = property(lambda self: self.record.get("warnings", []), doc="Warnings of the run.")
+    @property
+    def status(self):
+        """Such as "finished", "failed", "interrupted", "running"."""
+        return self.record.get("status")
+
+    @property
+    def stages(self):
+        """Of each stage: name, start, end, steps, and what ended it."""
+        return self.record.get("stages", [])
+
+    @property
+    def expectations(self):
+        """Of each [[expect]]: requirement, value, reference or bounds, and whether it is met."""
+        return self.record.get("expect", [])
+
+    @property
+    def warnings(self):
+        """Warnings of the run."""
+        return self.record.get("warnings", [])
 
     def table(self, name):
         """Another table of the directory, such as "peaks" of a spectrum, as a data frame."""
@@ -90,7 +105,7 @@ class Result:
 
     @functools.cached_property
     def states(self):
-        """Files of states by name: of stages ("settle"), checkpoints ("checkpoint/<file>"), of a study ("state"), and "final"."""
+        """Files of states by name: stages ("settle"), checkpoints ("checkpoint/<file>"), "state" of a study, "final"."""
         files = {urllib.parse.unquote(path.stem): path for path in sorted((self.path / "states").glob("*.h5"))}
         files |= {f"checkpoint/{path.stem}": path for path in sorted((self.path / "checkpoint").glob("*.h5"))}
         last = {"state": self.path / "state.h5", "final": self.path / "final_state.h5"}
@@ -106,19 +121,6 @@ class Result:
     def walls(self):
         """The walls of the last state as a data frame."""
         return self.state().walls
-
-
-def read(directory):
-    """The results in a directory: a Result, or a Campaign."""
-    from .campaigns import Campaign  # which has Results
-
-    path = pathlib.Path(directory)
-    if not path.is_dir():
-        raise Error(f"{path}: there is no such directory; give the directory of a run, study or campaign (--out of scree)")
-    if any((path / name).exists() for name in Campaign.FILES):
-        return Campaign(path)
-    result = Result(path)
-    return result if result.kind else None
 
 
 def json_of(path):

@@ -1,9 +1,10 @@
 """Runs scenes and studies."""
 import os
 
+from .campaigns import read
 from .errors import Error
 from .program import call, directory_in, failure, find_program
-from .results import Result, read
+from .results import Result
 from .values import assignments, toml, value_at
 
 WITH_RESULTS = (1, 3, 4, 130)  # exit statuses: not met or failed, blown up, a stage that was not reached, Ctrl-C
@@ -36,7 +37,8 @@ def gone_on(result, values, program, quiet, options):
         except (KeyError, TypeError, AttributeError):
             continue  # only the program knows all forms of keys
         if toml(kept) != toml(value) and kept != value:
-            raise Error(f"{result.path}: holds a run with {key} = {toml(kept)}; give another out, or overwrite=True to replace it")
+            problem = f"{result.path}: holds a run with {key} = {toml(kept)}"
+            raise Error(f"{problem}; give another out, or overwrite=True to replace it")
     if result.status == "finished":
         return result
     return results_of(["resume", result.path, *flags(options)], result.path, program, quiet)

@@ -11,11 +11,12 @@ from .tables import read_table
 
 
 class State:
-    """Bodies in the order of the file, in SI units: ids, materials (names), positions, velocities, spins, radii, masses, inertias,
-    forces, torques; time (s), dimension, scenario, and the walls."""
+    """Bodies in the order of the file, in SI units: ids, materials (names), positions, velocities, spins, radii, masses,
+    inertias, forces, torques; time (s), dimension, scenario, and the walls."""
 
-    ARRAYS = {"ids": "id", "positions": "position/value", "velocities": "velocity/value", "spins": "spin/value", "radii": "radius",
-              "masses": "mass", "inertias": "inertia", "forces": "force/value", "torques": "torque/value"}
+    ARRAYS = {"ids": "id", "positions": "position/value", "velocities": "velocity/value", "spins": "spin/value",
+              "radii": "radius", "masses": "mass", "inertias": "inertia", "forces": "force/value", "torques": "torque/value"}
+    WALLS = {"normal_": "planes/normal", "": "planes/point", "v": "planes/velocity", "load_": "load"}  # columns
 
     def __init__(self, path):
         """Reads a file."""
@@ -50,18 +51,18 @@ class State:
 
     @functools.cached_property
     def walls(self):
-        """The walls, numbered from 1: boundary, normal, point, velocity and the force of the bodies on each; attrs has the units."""
+        """The walls, numbered from 1: boundary, normal, point, velocity, and load, the force of the bodies."""
         pandas = package("pandas")
         with self.opened() as file:
             boundaries = texts(file["scree/scene/boundary_names"]) if "scree/scene/boundary_names" in file else []
             counts = [int(file[f"scree/walls/{k}/plane_count"][()]) for k in range(len(boundaries))]
             columns = {"boundary": [name for name, count in zip(boundaries, counts) for _ in range(count)]}
             units = {}
-            for column, place in (("normal_{}", "planes/normal"), ("{}", "planes/point"), ("v{}", "planes/velocity"), ("load_{}", "load")):
+            for column, place in self.WALLS.items():
                 data = file["scree/walls"][place]
                 for k, axis in enumerate("xyz"[: data.shape[1]]):
-                    columns[column.format(axis)] = data[:, k]
-                    units[column.format(axis)] = texts([data.attrs["unit"]])[0]
+                    columns[column + axis] = data[:, k]
+                    units[column + axis] = texts([data.attrs["unit"]])[0]
         frame = pandas.DataFrame(columns)
         frame.index = pandas.RangeIndex(1, len(frame) + 1, name="wall")
         frame.attrs["units"] = units
@@ -73,7 +74,7 @@ class State:
 
 
 def contacts(source, program=None, plugins=None):
-    """Contacts of a run (its last state), a state or a file particles_*.vtp; at a wall b is missing and wall is its name."""
+    """Contacts of a run (its last state), a state or particles_*.vtp; at a wall b is missing, and wall is its name."""
     with tempfile.TemporaryDirectory() as folder:
         table = os.path.join(folder, "contacts.csv")
         words = ["export", source, "--format", "contacts-csv", "--out", table]

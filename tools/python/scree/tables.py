@@ -5,11 +5,12 @@ import re
 
 from .errors import Error, package
 
-TEXTS = r"case|column|material|method|run|spring|status|wall|warnings|.*_unit"  # names of columns that may look like numbers
+# Columns of texts that may look like numbers.
+TEXTS = r"case|column|material|method|run|spring|status|wall|warnings|.*_unit"
 
 
 def read_table(path):
-    """The table of a file, with names of columns without units; attrs has "units" by column, and "head", the comments."""
+    """The table of a file, columns without units; attrs has "units" by column, and "head", the comments."""
     pandas = package("pandas")
     comments, header, rows = parts_of(path)
     if not header:
@@ -21,9 +22,11 @@ def read_table(path):
     try:
         # Without "round_trip" the last bits of numbers would be lost.
         frame = pandas.read_csv(io.StringIO(rows), header=None, names=list(names), converters=texts, na_values=gaps,
-                                dtype=dict.fromkeys(units, float), keep_default_na=False, float_precision="round_trip", index_col=False)
+                                dtype=dict.fromkeys(units, float), keep_default_na=False, index_col=False,
+                                float_precision="round_trip")
     except ValueError as error:
-        raise Error(f"{path}: is not a table of scree ({str(error).splitlines()[0]}); give a CSV file that scree wrote") from None
+        problem = f"{path}: is not a table of scree ({str(error).splitlines()[0]})"
+        raise Error(f"{problem}; give a CSV file that scree wrote") from None
     frame.attrs["units"] = units
     frame.attrs["head"] = dict(head_line(line) for line in comments)
     return frame
@@ -40,7 +43,7 @@ def units_of(path):
 def opened(path):
     """The file for reading; an Error if it cannot be opened."""
     try:
-        return open(path, encoding="utf-8", newline="")
+        return open(path, encoding="utf-8", errors="replace", newline="")
     except OSError as error:
         raise Error(f"{path}: {error.strerror}; give the directory of results that have this table") from None
 

@@ -22,7 +22,8 @@ def toml(value, key="set"):
     if isinstance(value, (str, os.PathLike)):
         return json.dumps(os.fspath(value), ensure_ascii=False).replace("\x7f", "\\u007f")
     if isinstance(value, dict):
-        pairs = (f"{name if re.fullmatch('[A-Za-z0-9_-]+', name) else toml(name)} = {toml(part, key)}" for name, part in value.items())
+        names = (name if re.fullmatch("[A-Za-z0-9_-]+", name) else toml(name) for name in value)
+        pairs = (f"{name} = {toml(part, key)}" for name, part in zip(names, value.values()))
         return "{ " + ", ".join(pairs) + " }" if value else "{}"
     if isinstance(value, (list, tuple, range)):
         return "[" + ", ".join(toml(part, key) for part in value) + "]"
