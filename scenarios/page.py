@@ -74,7 +74,7 @@ def nearest(conditions):
 
 
 def measured(path, program):
-    """Runs a scene; the columns that its record decides. Ends the script with one line if it fails or misses a condition."""
+    """Runs a scene; the columns that its record decides. Ends the script if it fails or misses one."""
     with tempfile.TemporaryDirectory() as folder:
         return nearest(scree.run(path, out=os.path.join(folder, "run"), program=program).expectations)
 

@@ -8,21 +8,8 @@ import time
 
 from tables import made
 
-COLUMNS = (
-    "study",
-    "quantity",
-    "case",
-    "unit",
-    "paper",
-    "scree",
-    "error",
-    "packings",
-    "command",
-    "machine",
-    "commit",
-    "date",
-    "source",
-)
+COLUMNS = ("study", "quantity", "case", "unit", "paper", "scree", "error", "packings", "command", "machine", "commit",
+           "date", "source")
 KEY = COLUMNS[:3]
 
 
@@ -71,6 +58,11 @@ class Results:
                 "date": date_of(os.path.join(campaign, "table.csv")),
             }
         self.rows[key] = kept | {"scree": scree, "error": error, "packings": packings, "source": source}
+
+    def put_numbers(self, study, case, numbers, campaign, packings=1):
+        """Puts numbers without errors, (quantity, unit, text), of one case."""
+        for quantity, unit, text in numbers:
+            self.put((study, quantity, case), unit, text, "", packings, campaign)
 
     def value(self, *key):
         """What scree found, and its error (nan if there is none); None if there is no such row or it is no number."""

@@ -25,14 +25,8 @@ def plot_sizes(axes, groups):
     for (size, _, spring), runs in groups.items():
         last, solid = min(len(run.strain) for run in runs), spring == DAVID
         means = [1e3 * statistics.fmean(run.strain[cycle] for run in runs) for cycle in range(last)]
-        axes.plot(
-            range(last),
-            means,
-            "-" if solid else "--",
-            color=COLOURS[sizes.index(size) % len(COLOURS)],
-            linewidth=1.3,
-            label=f"{size} spheres" if solid else None,
-        )
+        axes.plot(range(last), means, "-" if solid else "--", color=COLOURS[sizes.index(size) % len(COLOURS)],
+                  linewidth=1.3, label=f"{size} spheres" if solid else None)
     axes.set(ylim=(0, None), xlabel="cycle", ylabel="deviatoric strain at the least load / 10⁻³")
     axes.set_title("Size (figure 3), μ = 0.1\ndashed: path-independent springs", loc="left", fontsize=10)
     axes.legend(frameon=False, fontsize=8, loc="lower right")
@@ -42,16 +36,8 @@ def plot_frictions(axes, curves, title, y, legend):
     """legend: where it stands, as shares of the axes."""
     for (label, points), colour in zip(curves, (COLOURS[0], COLOURS[3])):
         if points:
-            axes.errorbar(
-                *points[:2],
-                yerr=points[2],
-                marker="o",
-                markersize=5,
-                capsize=3,
-                linewidth=1.2,
-                color=colour,
-                label=label,
-            )
+            axes.errorbar(*points[:2], yerr=points[2], marker="o", markersize=5, capsize=3, linewidth=1.2, color=colour,
+                          label=label)
     axes.set(xlabel="friction of the load", ylabel=y)
     axes.set_title(title, loc="left", fontsize=10)
     axes.legend(frameon=False, fontsize=8, loc="lower right", bbox_to_anchor=legend)
@@ -63,17 +49,13 @@ def draw_claims(sizes, results, folder):
     figure, (left, middle, right) = pyplot.subplots(1, 3, figsize=(13, 4.2))
     plot_sizes(left, sizes)
     strain = "strain after 100 cycles"
-    curves = (
-        ("1000 spheres, the same packings", over_friction(results, "same-packings", strain, 1000)),
-        ("1728 spheres, each prepared with its friction", over_friction(results, "accumulation", strain, 1728)),
-    )
+    curves = (("1000 spheres, the same packings", over_friction(results, "same-packings", strain, 1000)),
+              ("1728 spheres, each prepared with its friction", over_friction(results, "accumulation", strain, 1728)))
     plot_frictions(middle, curves, "Friction (figure 5)", strain, (1, 0.55))
     middle.set_yscale("log")
     slope = "slope of the first loop"
-    curves = (
-        ("1728 spheres, the same packings", over_friction(results, "first-cycle", slope, 1728)),
-        ("1728 spheres, each prepared with its friction", over_friction(results, "accumulation", slope, 1728)),
-    )
+    curves = (("1728 spheres, the same packings", over_friction(results, "first-cycle", slope, 1728)),
+              ("1728 spheres, each prepared with its friction", over_friction(results, "accumulation", slope, 1728)))
     plot_frictions(right, curves, "Friction (figure 4)", slope + " / kPa", (1, 0.02))
     right.set_ylim(bottom=0)
     for axes in (left, middle, right):

@@ -6,7 +6,8 @@ campaign lacks are kept and count too, but for their loops. Of rates.toml and of
 quickstart.toml it records numbers alone.
 
 Usage: python3 scenarios/david2005/figures.py DIR... [--out FOLDER, default: the first DIR]
-DIR: a campaign of this folder, or this folder, for the runs that its runs.csv keeps. Needs python3-matplotlib and python3-pandas."""
+DIR: a campaign of this folder, or this folder, for the runs that its runs.csv keeps. Needs python3-matplotlib
+and python3-pandas."""
 import math
 import os
 import statistics
@@ -73,12 +74,8 @@ def plot_accumulation(axes, groups, title, name_of):
         with_looks(groups, lambda key: f"{name_of(key)}, n = {packings_of(groups, key)}")
     ):
         last = min(len(r.strain) for r in runs) - 1
-        axes.plot(
-            range(last + 1),
-            [1e3 * statistics.fmean(r.strain[c] for r in runs) for c in range(last + 1)],
-            label=label,
-            **look,
-        )
+        axes.plot(range(last + 1), [1e3 * statistics.fmean(r.strain[c] for r in runs) for c in range(last + 1)],
+                  label=label, **look)
         mean, error = mean_of([1e3 * r.strain[last] for r in runs])
         error = None if math.isnan(error) else error
         # Next to one another.
@@ -162,9 +159,8 @@ def draw_accumulation(groups, file):
     (sizes, weakest), (frictions, compared) = by_size(groups), by_friction(groups)
     panels = []
     if values_of(sizes, 0) > 1 or values_of(frictions, 1) < 2:
-        panels.append(
-            lambda axes: plot_accumulation(axes, sizes, f"Size, μ = {weakest:g}, mean of the seeds", size_of)
-        )
+        title = f"Size, μ = {weakest:g}, mean of the seeds"
+        panels.append(lambda axes: plot_accumulation(axes, sizes, title, size_of))
     if values_of(frictions, 1) > 1:
         panels.append(
             lambda axes: plot_accumulation(

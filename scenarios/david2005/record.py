@@ -26,12 +26,9 @@ def quantities_of(runs):
     """Name, unit, mean and standard error of what is measured of packings of one kind."""
     cycles = len(runs[0].strain) - 1
     late = f"strain per cycle, cycles {min(LATE, (cycles + 1) // 2)} to {cycles}"
-    quantities = [
-        (f"strain after {cycles} cycle{'s' * (cycles != 1)}", "1", lambda run: run.strain[-1]),
-        (late, "1", late_slope),
-        ("area of the first loop", "Pa", lambda run: run.loop_area[0]),
-        ("slope of the first loop", "kPa", lambda run: run.slope[0] / 1e3),
-    ]
+    quantities = [(f"strain after {cycles} cycle{'s' * (cycles != 1)}", "1", lambda run: run.strain[-1]),
+                  (late, "1", late_slope), ("area of the first loop", "Pa", lambda run: run.loop_area[0]),
+                  ("slope of the first loop", "kPa", lambda run: run.slope[0] / 1e3)]
     if cycles > 1:
         quantities.append(("strain after 1 cycle", "1", lambda run: run.strain[1]))
     return [(name, unit, *mean_of([quantity(run) for run in runs])) for name, unit, quantity in quantities]
@@ -55,23 +52,19 @@ def put_groups(results, study, groups, campaign):
 def put_runs(results, study, runs, campaign):
     """The numbers of each run, of campaigns over period and step."""
     for run in runs:
-        for name, unit, value, _ in quantities_of([run]):
-            if not (math.isnan(value) or "per cycle" in name):
-                key = study, name, f"seed {run.seed}, period {run.period:g} s, step {run.step:g} s"
-                results.put(key, unit, text(value, 3), "", 1, campaign)
+        case = f"seed {run.seed}, period {run.period:g} s, step {run.step:g} s"
+        numbers = [(name, unit, text(value, 3)) for name, unit, value, _ in quantities_of([run])
+                   if not (math.isnan(value) or "per cycle" in name)]
+        results.put_numbers(study, case, numbers, campaign)
 
 
 def put_frictions(results, study, campaign):
     """Means over the seeds of what the campaigns of quickstart.toml collect."""
-    columns = (
-        ("contacts.coordination_number.last", "contacts per sphere after the cycle"),
-        ("box.deviatoric_strain.max", "largest deviatoric strain"),
-    )
+    columns = (("contacts.coordination_number.last", "contacts per sphere after the cycle"),
+               ("box.deviatoric_strain.max", "largest deviatoric strain"))
     rows = [run.row for run in runs_of(campaign, *(column for column, _ in columns), "contact.static_friction")]
     for friction in dict.fromkeys(row["contact.static_friction"] for row in rows):
         chosen = [row for row in rows if row["contact.static_friction"] == friction]
         for column, name in columns:
             mean, error = mean_of([row[column] for row in chosen])
-            results.put(
-                (study, name, f"μ = {friction:g}"), "1", text(mean, 3), text(error, 2), len(chosen), campaign
-            )
+            results.put((study, name, f"μ = {friction:g}"), "1", text(mean, 3), text(error, 2), len(chosen), campaign)

@@ -11,7 +11,8 @@ from tables import refuse, runs_of, scree  # noqa: E402 (of the folder above)
 
 numpy = scree.errors.package("numpy")
 SPRINGS = {"linear_spring_dashpot": "David et al.", "sphere_path_independent": "painted points"}
-HEADER = ("spheres", "friction", "spring", "seed", "period [s]", "step [s]", "cycle", "strain", "loop_area [Pa]", "slope [Pa]")
+HEADER = ("spheres", "friction", "spring", "seed", "period [s]", "step [s]", "cycle", "strain",
+          "loop_area [Pa]", "slope [Pa]")
 KEYS = ["spheres", "friction", "spring", "seed", "period", "step"]
 
 
@@ -49,10 +50,11 @@ def run_of(run):
     changed = stage.get("set", {}).get(contact.get("name", contact["plugin"]), {})
     friction = changed.get("static_friction", contact["static_friction"])
     size = math.prod(lattice["count"]) if lattice else run.record["footprint"]["bodies"]
-    key = size, float(friction), SPRINGS[contact["plugin"]], scenario["scene"]["seed"], float(stage["period"]), float(scenario["time"]["step"])
+    period, step = float(stage["period"]), float(scenario["time"]["step"])
+    key = size, float(friction), SPRINGS[contact["plugin"]], scenario["scene"]["seed"], period, step
     box = run.series["box"]
     strain, stress = box.deviatoric_strain.to_numpy(), box.deviatoric_stress.to_numpy()
-    n = round(stage["period"] / (box.time[1] - box.time[0]))
+    n = round(period / (box.time[1] - box.time[0]))
     loops = [(strain[at : at + n + 1], stress[at : at + n + 1]) for at in range(0, len(strain) - n, n)]
     return Run(key, strain[::n], [area(*loop) for loop in loops], [slope(*loop) for loop in loops], (strain, stress), n)
 
@@ -75,7 +77,8 @@ def kept_runs(table):
     if not os.path.exists(table):
         return []
     groups = scree.read_table(table).groupby(KEYS, sort=False)
-    return [Run(key, rows.strain.tolist(), rows.loop_area.tolist()[1:], rows.slope.tolist()[1:]) for key, rows in groups]
+    return [Run(key, *(rows[name].tolist()[first:] for name, first in (("strain", 0), ("loop_area", 1), ("slope", 1))))
+            for key, rows in groups]
 
 
 def keep(runs, table):

@@ -26,7 +26,8 @@ def save(figure, path):
 def draw_discs(axes, x, y, radius, colours, edge="#5f7186"):
     """Discs in the units of the axes."""
     places = {"offsets": numpy.column_stack([x, y]), "units": "xy", "transOffset": axes.transData}
-    axes.add_collection(EllipseCollection(2 * radius, 2 * radius, 0 * radius, facecolors=colours, edgecolors=edge, linewidths=0.4, **places))
+    axes.add_collection(EllipseCollection(2 * radius, 2 * radius, 0 * radius, facecolors=colours,
+                                          edgecolors=edge, linewidths=0.4, **places))
     axes.set_aspect("equal")
 
 
@@ -81,8 +82,8 @@ def gas_that_cools(run, _, path):
     axes.plot(line, (1 + line) ** -2, color=ORANGE, linewidth=3.5, alpha=0.75, label="Haff: $(1+t/t_H)^{-2}$")
     axes.plot(line, line**-2, "--", color=GREY, linewidth=1, label="$(t/t_H)^{-2}$")
     chosen = gas.iloc[[min(int(1.35**k), len(gas)) - 1 for k in range(20)]]
-    axes.plot((chosen.time - 0.05) * haff(start, drift), (chosen.kinetic_translation - drift) / (start - drift), "o", color=BLUE,
-              markersize=6, label="512 beads, e = 0.9")
+    axes.plot((chosen.time - 0.05) * haff(start, drift), (chosen.kinetic_translation - drift) / (start - drift), "o",
+              color=BLUE, markersize=6, label="512 beads, e = 0.9")
     axes.set(xscale="log", yscale="log", xlim=(0.012, 8), ylim=(0.015, 1.5))
     axes.set(xlabel="time / $t_H$", ylabel="energy / energy at the start")
     axes.legend(frameon=False, loc="lower left")
@@ -104,7 +105,8 @@ def piston(run, _, path):
     """The gas below its piston, and pressure over volume with the adiabats of the ideal gas and of hard spheres."""
     figure, (gas, axes) = chart(1, 2, gridspec_kw={"width_ratios": [1, 2.2]})
     beads = run.bodies().sort_values("y", ascending=False, kind="stable")
-    draw_discs(gas, beads.x % 0.05 * 1e3, beads.z * 1e3, 1 + 0 * beads.x, pyplot.cm.Blues(0.75 - 0.5 * (beads.y % 0.05) / 0.05))
+    draw_discs(gas, beads.x % 0.05 * 1e3, beads.z * 1e3, 1 + 0 * beads.x,
+               pyplot.cm.Blues(0.75 - 0.5 * (beads.y % 0.05) / 0.05))
     wall(gas, (0, 58), (0, 0), (50, 0), (50, 58))
     gas.add_patch(pyplot.Rectangle((0, 27), 50, 4, color="#333333"))
     gas.plot([0, 50], [52, 52], "--", color=GREY, linewidth=1.2)
@@ -114,15 +116,15 @@ def piston(run, _, path):
     height = numpy.linspace(0.05, 0.025, 101)
     share, start = (512 * math.pi / 6 * 0.002**3 / (0.05**2 * z) for z in (height, 0.05))
     pressure = 2 / 3 * run.series["before"].kinetic_translation.mean() / (0.05**2 * height)
-    axes.plot(height / 0.05, pressure * adiabat(share, start) * hard_sphere_factor(share), color=ORANGE, linewidth=3.5, alpha=0.75,
-              label="adiabat of hard spheres")
+    axes.plot(height / 0.05, pressure * adiabat(share, start) * hard_sphere_factor(share), color=ORANGE, linewidth=3.5,
+              alpha=0.75, label="adiabat of hard spheres")
     axes.plot(height / 0.05, pressure * (0.05 / height) ** (2 / 3), "--", color=GREEN,
               label="adiabat of the ideal gas, $p \\propto V^{-5/3}$")
     axes.plot(height / 0.05, pressure, ":", color=GREY, label="isotherm, $p \\propto V^{-1}$")
     walls = run.series["walls"].query("stage == 2").reset_index(drop=True)
     means = walls.groupby(walls.index // 830).mean()[: len(walls) // 830]
-    axes.plot((0.05 - means.displacement_z_2.abs()) / 0.05, (means.normal_force_1 + means.normal_force_2) / 2 / 0.05**2, "o", color=BLUE,
-              markersize=6, label="512 beads")
+    force = (means.normal_force_1 + means.normal_force_2) / 2
+    axes.plot((0.05 - means.displacement_z_2.abs()) / 0.05, force / 0.05**2, "o", color=BLUE, markersize=6, label="512 beads")
     axes.set(xlabel="volume / volume at the start", ylabel="pressure (Pa)", xlim=(1.02, 0.48))
     axes.legend(frameon=False, loc="upper left")
     save(figure, path)

@@ -37,13 +37,13 @@ def report(scene, run):
 
 
 def draw(folder, scenes):
-    """Draws each scene from its run and from those with other numbers of bodies, for which its conditions do not hold."""
+    """Draws each scene from its run and from those with other numbers of bodies, for which no condition holds."""
     for scene in scenes:
         path = os.path.join(HERE, scene + ".toml")
         picture, others = SCENES[scene]
         run = scree.run(path, out=os.path.join(folder, scene), resume=True)
-        compared = [scree.run(path, {"particles.lattice.count": count, "expect": []}, os.path.join(folder, f"{scene}, {name}"), resume=True)
-                    for name, count in others.items()]
+        compared = [scree.run(path, {"particles.lattice.count": count, "expect": []},
+                              os.path.join(folder, f"{scene}, {name}"), resume=True) for name, count in others.items()]
         report(scene, run)
         picture(run, compared, os.path.join(HERE, scene + ".png"))
 

@@ -11,7 +11,8 @@ GRAIN = "#cfd8e3"
 
 def surface_of(bodies, length, bins):
     """x and z of the surface: mean top of the highest four beads of each bin, without the outer two on each side."""
-    tops = (bodies.z + bodies.radius).groupby((bodies.x / length * bins // 1).astype(int)).apply(lambda top: top.nlargest(4).mean())
+    bin_of = (bodies.x / length * bins // 1).astype(int)
+    tops = (bodies.z + bodies.radius).groupby(bin_of).apply(lambda top: top.nlargest(4).mean())
     inner = numpy.arange(2, bins - 2)
     return (inner + 0.5) * length / bins, tops[inner]
 
@@ -28,7 +29,8 @@ def angle_of_repose(run, _, path):
         return (x * math.cos(tilt) + z * math.sin(tilt)) * 1e3, (z * math.cos(tilt) - x * math.sin(tilt)) * 1e3
 
     figure, axes = chart(height=4.8)
-    draw_discs(axes, *turned(bodies.x, bodies.z), bodies.radius * 1e3, pyplot.cm.Blues(0.25 + 0.35 * (1 - bodies.y / 0.0208)))
+    draw_discs(axes, *turned(bodies.x, bodies.z), bodies.radius * 1e3,
+               pyplot.cm.Blues(0.25 + 0.35 * (1 - bodies.y / 0.0208)))
     wall(axes, turned(0, 0.055), turned(0, 0), turned(length, 0), turned(length, 0.055))
     ends = [turned(x, slope * x + offset) for x in (0.1 * length, length)]
     axes.plot(*zip(*ends), color=RED, linewidth=2.5)
@@ -55,7 +57,8 @@ def brazil_nut(run, _, path):
     bodies, nut, width = run.bodies(), run.series["nut"], 0.1026
     draw_grains(box, bodies, numpy.where(bodies.id == 1000, ORANGE, GRAIN))
     settled = nut.loc[(nut.time - 0.5).abs().idxmin()]
-    box.add_patch(pyplot.Circle((settled.x_1000 * 1e3, settled.y_1000 * 1e3), 10, fill=False, color=RED, linewidth=1.8, linestyle="--"))
+    box.add_patch(pyplot.Circle((settled.x_1000 * 1e3, settled.y_1000 * 1e3), 10, fill=False, color=RED, linewidth=1.8,
+                                linestyle="--"))
     wall(box, (0, 100), (0, 0), (width * 1e3, 0), (width * 1e3, 100))
     box.set(xlim=(-3, width * 1e3 + 3), ylim=(-3, 104))
     box.axis("off")
@@ -74,7 +77,8 @@ def draw_forces(axes, run, bodies):
     between = contacts.b.notna().to_numpy()
     end[between] = places.loc[contacts.b.dropna()]
     force = (contacts.force_x * contacts.normal_x + contacts.force_y * contacts.normal_y).to_numpy()
-    axes.add_collection(LineCollection(1e3 * numpy.stack([begin, end], 1), colors=RED, linewidths=0.9 * force / force.mean()))
+    axes.add_collection(LineCollection(1e3 * numpy.stack([begin, end], 1), colors=RED,
+                                       linewidths=0.9 * force / force.mean()))
 
 
 def janssen(weight, deep):

@@ -35,10 +35,8 @@ def plot_modes(axes, results):
 
 
 def plot_drives(axes, results, scaled):
-    strains = {
-        (stress, drive): strain
-        for stress, drive, strain in numbers_of(results, "drives", "local strain at the maximum")
-    }
+    strains = {(stress, drive): strain for stress, drive,
+               strain in numbers_of(results, "drives", "local strain at the maximum")}
     curves = {}
     for stress, drive, frequency in numbers_of(results, "drives", "frequency of the maximum"):
         if (stress, drive) in strains:

@@ -21,9 +21,7 @@ def largest_peaks(peaks):
 
 
 def print_peaks(packings):
-    print(
-        "stress [kPa] seed  " + "  ".join(f"{name + ' [Hz]':>16} {'Q':>5}" for name in NAMES.values()) + "   ratios"
-    )
+    print("stress [kPa] seed  " + "  ".join(f"{name + ' [Hz]':>16} {'Q':>5}" for name in NAMES.values()) + "   ratios")
     for (stress, seed), peaks in packings.items():
         first = peaks[0.25][0]
         columns = "  ".join(f"{peaks[w][0]:8.0f} ± {peaks[w][1]:5.1f} {peaks[w][2]:5.1f}" for w in NAMES)
@@ -35,14 +33,12 @@ def print_peaks(packings):
 def packings_of(folder):
     """Peaks by stress (Pa) and seed. Ends the script with one line if there are none, or a packing lacks one."""
     column = "boundary.bottom.stress"
-    packings = {(run.row[column], run.row["seed"]): largest_peaks(run.table("peaks")) for run in runs_of(folder, column)}
+    runs = runs_of(folder, column)
+    packings = {(run.row[column], run.row["seed"]): largest_peaks(run.table("peaks")) for run in runs}
     if not packings:
         no_runs(folder, "scenarios/lemrich2017/spectra.toml")
-    lacking = [
-        f"{stress:g} Pa, seed {seed}"
-        for (stress, seed), peaks in packings.items()
-        if any(w not in peaks for w in NAMES)
-    ]
+    lacking = [f"{stress:g} Pa, seed {seed}" for (stress, seed),
+               peaks in packings.items() if any(w not in peaks for w in NAMES)]
     if lacking:
         refuse(f"{folder}: no peak of some name: {'; '.join(lacking)}; their spectrum.png shows what was found")
     return packings
@@ -58,16 +54,15 @@ def exponents_of(packings):
 
 def exponent_of(packings, seed, wavelengths):
     """Slope of the logarithms of a seed by least squares."""
-    points = [(math.log(stress), math.log(peaks[wavelengths][0])) for (stress, s), peaks in packings.items() if s == seed]
+    points = [(math.log(stress), math.log(peaks[wavelengths][0]))
+              for (stress, s), peaks in packings.items() if s == seed]
     return statistics.linear_regression(*zip(*points)).slope
 
 
 def mean_and_error(slopes):
     """Mean and standard error."""
-    return (
-        statistics.fmean(slopes),
-        statistics.stdev(slopes) / math.sqrt(len(slopes)) if len(slopes) > 1 else math.nan,
-    )
+    return (statistics.fmean(slopes),
+            statistics.stdev(slopes) / math.sqrt(len(slopes)) if len(slopes) > 1 else math.nan)
 
 
 def main():
@@ -77,9 +72,8 @@ def main():
     seeds = sorted({seed for _, seed in packings})
     single = [seed for seed in seeds if sum(s == seed for _, s in packings) < 2]
     if single:
-        refuse(
-            f"{folder}: no exponent from one stress, of seed {', '.join(map(str, single))}; let the campaign finish two or more"
-        )
+        named = ", ".join(map(str, single))
+        refuse(f"{folder}: no exponent from one stress, of seed {named}; let the campaign finish two or more")
     for name, slopes in exponents_of(packings).items():
         mean, error = mean_and_error(slopes)
         print(f"{name:>5}: f ∝ σ^n, n = {mean:.4f} ± {error:.4f} (seeds: {', '.join(f'{n:.4f}' for n in slopes)})")

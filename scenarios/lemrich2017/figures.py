@@ -32,7 +32,8 @@ class Sweep:
     """One run of the campaign: a stress, a drive, the response and its highest peak."""
 
     def __init__(self, run):
-        self.prepared = run.path.parent / "prepare" / os.path.basename(os.path.dirname(run.scenario["particles"]["state"]))
+        state = run.scenario["particles"]["state"]
+        self.prepared = run.path.parent / "prepare" / os.path.basename(os.path.dirname(state))
         self.stress, self.amplitude, self.case = (run.row[name] for name in COLUMNS)
         spectrum, peaks = run.table("spectrum"), run.table("peaks")
         self.frequencies, self.response = spectrum.frequency.to_numpy(), spectrum[f"{COLUMN}.amplitude"].to_numpy()
@@ -86,15 +87,8 @@ def draw_sweeps(sweeps, path):
     figure, axes = pyplot.subplots(figsize=(8, 5))
     height = sweeps[0].height()
     for sweep, colour in zip(sweeps, itertools.cycle(COLOURS)):
-        axes.plot(
-            sweep.frequencies / 1e3,
-            sweep.response * height,
-            color=colour,
-            marker="o",
-            markersize=3,
-            linewidth=1.3,
-            label=f"{sweep.amplitude / height:.1e}",
-        )
+        axes.plot(sweep.frequencies / 1e3, sweep.response * height, color=colour, marker="o", markersize=3,
+                  linewidth=1.3, label=f"{sweep.amplitude / height:.1e}")
     axes.set(xlabel="frequency (kHz)", ylabel="strain of the layer / strain of the drive", yscale="log")
     axes.set_title(f"Sweeps at rising drives, {sweeps[0].case} (figure 2)", loc="left", fontsize=11)
     axes.legend(title="strain of the drive", fontsize=9, title_fontsize=9, frameon=False, loc="lower left", ncols=2)
@@ -143,15 +137,8 @@ def draw_profile(sweeps, path):
     figure, axes = pyplot.subplots(figsize=(5.5, 6))
     for sweep, colour in zip(sweeps, (COLOURS[0], COLOURS[3], COLOURS[4])):
         heights, strains = strain_profile(sweep.layers)
-        axes.plot(
-            strains / max(strains),
-            heights,
-            color=colour,
-            marker="o",
-            markersize=4,
-            linewidth=1.2,
-            label=f"{sweep.amplitude:.0e} m, {sweep.top()[0] / 1e3:.1f} kHz",
-        )
+        axes.plot(strains / max(strains), heights, color=colour, marker="o", markersize=4, linewidth=1.2,
+                  label=f"{sweep.amplitude:.0e} m, {sweep.top()[0] / 1e3:.1f} kHz")
     fine = numpy.linspace(LAYERS_APART / 28, 1 - LAYERS_APART / 28, 201)
     axes.plot(ideal_strain(fine) / max(ideal_strain(fine)), fine, color="black", linewidth=1.2, label="3λ/4")
     axes.set(xlabel="local strain / the largest", ylabel="height / height of the packing", ylim=(0, 1))
@@ -194,10 +181,8 @@ def apart_at_strains(sweeps):
     plain = [[(s.local_strain(), s.top()[0]) for s in chosen] for chosen in resonant]
     scaled = [[s.scaled() for s in chosen] for chosen in resonant]
     found = []
-    for name, curves, strains in (
-        ("local strain", plain, (3e-5, 5e-5, 7e-5, 1e-4, 1.4e-4)),
-        ("local strain (σ/Y)^(-2/3)", scaled, (0.5, 0.7, 1, 1.4, 2, 2.8)),
-    ):
+    for name, curves, strains in (("local strain", plain, (3e-5, 5e-5, 7e-5, 1e-4, 1.4e-4)),
+                                  ("local strain (σ/Y)^(-2/3)", scaled, (0.5, 0.7, 1, 1.4, 2, 2.8))):
         found += [(name, strain, *spread(curves, strain)) for strain in strains]
     return [row for row in found if row[2] > 1]
 

@@ -6,7 +6,7 @@ NORMAL, FORCE = ["normal_x", "normal_y"], ["force_x", "force_y"]
 
 
 def draw_forces(axes, contacts, centres):
-    """A line from centre to centre or wall as wide as the normal force, and one across it as long as the tangential force."""
+    """A line between centres, or to a wall, as wide as the normal force; one across it as long as the tangential force."""
     for _, contact in contacts.iterrows():
         begin, point = centres.loc[contact.a].to_numpy(), contact[["x", "y"]].to_numpy(float)
         normal, force = contact[NORMAL].to_numpy(float), contact[FORCE].to_numpy(float)
@@ -26,7 +26,8 @@ def draw_packing(axes, run):
     draw_forces(axes, contacts, discs[["x", "y"]])
     for name, disc in discs.iterrows():
         place = numpy.array([disc.x, disc.y])
-        axes.add_patch(pyplot.Circle(place, disc.radius, facecolor="#eeeeee" if name in touching else ORANGE, edgecolor=GREY))
+        colour = "#eeeeee" if name in touching else ORANGE
+        axes.add_patch(pyplot.Circle(place, disc.radius, facecolor=colour, edgecolor=GREY))
         white = {"boxstyle": "round,pad=0.15", "facecolor": "white", "edgecolor": "none", "alpha": 0.8}
         axes.annotate(f"{name}", place, ha="center", va="center", fontsize=8, zorder=3, bbox=white)
         if name not in touching:

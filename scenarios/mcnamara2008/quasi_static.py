@@ -3,7 +3,8 @@
 Usage: python3 scenarios/mcnamara2008/quasi_static.py SCREE FOLDER [PACKING, default 5] [KEY=VALUE of the scenario ...]
 Runs SCREE, a path or a name in PATH, with periods from 10 to 160 τ, and `SCREE quasi-static` with 10
 to 640 increments a cycle, 30 cycles each or stage.cycles.cycles=N, into FOLDER; prints the strain after a cycle
-and, of more than 12 cycles, the strain per cycle from cycle 10 on, with their differences from the numbers of the most increments, and draws FOLDER/quasi-static.png. Needs python3-matplotlib and python3-pandas."""
+and, of more than 12 cycles, the strain per cycle from cycle 10 on, with their differences from the numbers of the most
+increments, and draws FOLDER/quasi-static.png. Needs python3-matplotlib and python3-pandas."""
 import math
 import os
 import tomllib
@@ -46,8 +47,10 @@ def values_of(overrides):
 
 def by_dynamics(folder, values, period):
     """The load with a period (τ) by dynamics."""
-    keys = ("stage.cycles.period", "stage.cycles.set.box.stress_y_high.period", "probe.load.every", "probe.touching.every")
-    run = scree.run(SCENARIO, values | dict.fromkeys(keys, period), os.path.join(folder, f"period-{period}"), overwrite=True)
+    keys = ("stage.cycles.period", "stage.cycles.set.box.stress_y_high.period", "probe.load.every",
+            "probe.touching.every")
+    out = os.path.join(folder, f"period-{period}")
+    run = scree.run(SCENARIO, values | dict.fromkeys(keys, period), out, overwrite=True)
     share = run.stages[-1]["steps"] / sum(stage["steps"] for stage in run.stages)
     return Load(f"{period} τ", run.series["load"], run.record["stepping_s"] * share / values[CYCLES_KEY])
 
@@ -67,13 +70,8 @@ def draw(axes, methods, exact, value, title, unit):
         axes.loglog([1e3 * c.seconds for c, _ in shown], [e for _, e in shown], mark + "-", color=colour, label=name)
         for k, (c, error) in enumerate(shown):
             lowest = 0 < k < len(shown) - 1 and error < min(shown[k - 1][1], shown[k + 1][1])
-            axes.annotate(
-                c.name,
-                (1e3 * c.seconds, error),
-                textcoords="offset points",
-                xytext=(-3, -14) if lowest else (8, 5),
-                fontsize=8,
-            )
+            axes.annotate(c.name, (1e3 * c.seconds, error), textcoords="offset points",
+                          xytext=(-3, -14) if lowest else (8, 5), fontsize=8)
     label(axes, title, "wall time of a cycle / ms", unit)
     axes.margins(0.2, 0.12)
     axes.xaxis.set_major_locator(ticker.LogLocator(subs=(1, 2, 5)))

@@ -1,7 +1,7 @@
 """Numbers of the campaigns of this folder, printed and as rows of results.csv."""
 import math
 
-from series import DROPPED, Paths, cycles_of, line_through, slope_of, strains
+from series import DROPPED, Paths, cycles_of, line_through, numpy, slope_of, strains
 from tables import runs_of  # of the folder above, which series.py adds
 
 LOAD = 0.15  # Δσ/p
@@ -54,49 +54,40 @@ def put_paths(results, campaign):
     runs = long_runs(campaign, "case")
     for run in (run for run in runs if run.row["case"] == "biaxial"):
         biaxial = Biaxial(run)
-        largest = max(abs(g) for g in biaxial.gamma[: biaxial.per])
+        largest = max(abs(biaxial.gamma[: biaxial.per]))
         slope = line_through(biaxial.gamma[DROPPED * biaxial.per :: biaxial.per])[0]
         slides = {c: int(sum(v[2])) for c, v in biaxial.paths.contacts.items() if sum(v[2])}
         samples = ", ".join(f"{contact} in {count} of {biaxial.per + 1} samples" for contact, count in slides.items())
         print(f"contacts that slide in the last cycle: {samples}")
         print(f"largest |γ| of the first cycle {largest:.4f}, slope {slope:.3e} per cycle")
-        case = f"packing {run.row['seed']}"
-        results.put(("paths", "contacts that slide", case), "1", f"{len(slides)}", "", 1, campaign)
-        results.put(("paths", "largest |γ| of the first cycle", case), "1", f"{largest:.2g}", "", 1, campaign)
-        results.put(("paths", "Δγ", case), "per cycle", f"{slope:.3g}", "", 1, campaign)
+        numbers = (("contacts that slide", "1", f"{len(slides)}"),
+                   ("largest |γ| of the first cycle", "1", f"{largest:.2g}"), ("Δγ", "per cycle", f"{slope:.3g}"))
+        results.put_numbers("paths", f"packing {run.row['seed']}", numbers, campaign)
     ellipses = ellipses_of([run for run in runs if run.row["case"].startswith("phase ")])
     if "90" not in ellipses:
         return
     widest = widest_of(ellipses)
     for phase, paths in ellipses.items():
-        share = paths.area(widest) / ellipses["90"].area(widest)
-        print(f"contact {widest}, phase {phase}: area {paths.area(widest):.4e} N², over that at 90: {share:.4f}")
-        results.put(
-            ("paths", "area of the ellipse", f"{bodies_of(widest)}, φ = {phase}°"),
-            "N²",
-            f"{paths.area(widest):.5g}",
-            "",
-            1,
-            campaign,
-        )
+        area = paths.area(widest)
+        print(f"contact {widest}, phase {phase}: area {area:.4e} N², over that at 90: "
+              f"{area / ellipses['90'].area(widest):.4f}")
+        case = f"{bodies_of(widest)}, φ = {phase}°"
+        results.put_numbers("paths", case, [("area of the ellipse", "N²", f"{area:.5g}")], campaign)
 
 
 def sine_fit(slopes):
     """A and R² of Δγ = A sin φ. slopes: Δγ by φ in degrees."""
-    sines = {p: math.sin(math.radians(p)) for p in slopes}
-    amplitude = sum(slopes[p] * sines[p] for p in slopes) / sum(s * s for s in sines.values())
-    mean = sum(slopes.values()) / len(slopes)
-    rest, spread = (
-        sum((slopes[p] - fit(p)) ** 2 for p in slopes) for fit in (lambda p: amplitude * sines[p], lambda p: mean)
-    )
-    return amplitude, 1 - rest / spread if spread > 0 else math.nan
+    sines, values = numpy.sin(numpy.radians(list(slopes))), numpy.array(list(slopes.values()))
+    amplitude = (values @ sines) / (sines @ sines)
+    spread = ((values - values.mean()) ** 2).sum()
+    return amplitude, 1 - ((values - amplitude * sines) ** 2).sum() / spread if spread > 0 else math.nan
 
 
 def phases_of(campaign):
     """Δγ by φ in degrees, of each case and packing that has three phases or more."""
     by_packing = {}
     for run in long_runs(campaign, "case", PHASE):
-        by_packing.setdefault((run.row["case"], int(run.row["seed"])), {})[float(run.row[PHASE]) + 90] = slope_of(run)[0]
+        by_packing.setdefault((run.row["case"], run.row["seed"]), {})[run.row[PHASE] + 90] = slope_of(run)[0]
     return {key: slopes for key, slopes in by_packing.items() if len(slopes) > 2}
 
 
@@ -104,50 +95,39 @@ def put_elliptic(results, campaign):
     for (case, seed), slopes in phases_of(campaign).items():
         amplitude, quality = sine_fit(slopes)
         largest = max(abs(s) for s in slopes.values())
-        print(
-            f"{case}, packing {seed}: A = {amplitude:.4e}, R² = {quality:.6f}, largest |Δγ| {largest:.2e},"
-            f" {len(slopes)} phases"
-        )
-        for name, unit, value in (
-            ("A of Δγ = A sin φ", "per cycle", f"{amplitude:.5g}"),
-            ("R² of Δγ = A sin φ", "1", f"{quality:.6f}"),
-            ("largest |Δγ|", "per cycle", f"{largest:.2g}"),
-        ):
-            results.put(("elliptic", name, f"{case}, packing {seed}"), unit, value, "", 1, campaign)
+        print(f"{case}, packing {seed}: A = {amplitude:.4e}, R² = {quality:.6f}, largest |Δγ| {largest:.2e},"
+              f" {len(slopes)} phases")
+        numbers = (("A of Δγ = A sin φ", "per cycle", f"{amplitude:.5g}"),
+                   ("R² of Δγ = A sin φ", "1", f"{quality:.6f}"),
+                   ("largest |Δγ|", "per cycle", f"{largest:.2g}"))
+        results.put_numbers("elliptic", f"{case}, packing {seed}", numbers, campaign)
 
 
 def put_verdicts(results, study, campaign):
     """Packings of each case that ratchet by the criterion of the paper, and their slopes."""
     by_case = {}
     for run in runs_of(campaign):
-        gamma = strains(run, 0)
-        if len(gamma) > DROPPED + 1:
-            by_case.setdefault(run.row.get("case", "all packings"), []).append(
-                line_through(strains(run, DROPPED)[DROPPED:])
-            )
+        if len(run.series["load"]) > DROPPED + 1:
+            by_case.setdefault(run.row.get("case", "all packings"), []).append(slope_of(run))
     for case, lines in by_case.items():
         slopes = sorted((slope for slope, deviation in lines if deviation < abs(slope)), key=abs)
-        numbers = [
-            ("packings that ratchet", "1", f"{len(slopes)}"),
-            ("packings that ratchet, γ rises", "1", f"{sum(s > 0 for s in slopes)}"),
-        ]
+        numbers = [("packings that ratchet", "1", f"{len(slopes)}"),
+                   ("packings that ratchet, γ rises", "1", f"{sum(s > 0 for s in slopes)}")]
         if slopes:
             mean = math.exp(sum(math.log(abs(s)) for s in slopes) / len(slopes))
-            numbers += [
-                ("geometric mean of |Δγ|", "per cycle", f"{mean:.2g}"),
-                ("least |Δγ|", "per cycle", f"{abs(slopes[0]):.2g}"),
-                ("largest |Δγ|", "per cycle", f"{abs(slopes[-1]):.2g}"),
-            ]
+            numbers += [("geometric mean of |Δγ|", "per cycle", f"{mean:.2g}"),
+                        ("least |Δγ|", "per cycle", f"{abs(slopes[0]):.2g}"),
+                        ("largest |Δγ|", "per cycle", f"{abs(slopes[-1]):.2g}")]
         print(f"{case}, {len(lines)} packings: {', '.join(f'{name} {value}' for name, _, value in numbers)}")
-        for name, unit, value in numbers:
-            results.put((study, name, case), unit, value, "", len(lines), campaign)
+        results.put_numbers(study, case, numbers, campaign, len(lines))
 
 
 def lines_of(campaign):
     """Δγ by step, of each law and packing that has two steps or more."""
     lines = {}
     for run in long_runs(campaign, "contact.discs.plugin", "time.step"):
-        lines.setdefault((run.row["contact.discs.plugin"], int(run.row["seed"])), {})[float(run.row["time.step"])] = slope_of(run)[0]
+        law, seed, step = (run.row[column] for column in ("contact.discs.plugin", "seed", "time.step"))
+        lines.setdefault((law, seed), {})[step] = slope_of(run)[0]
     return {key: slopes for key, slopes in lines.items() if len(slopes) > 1}
 
 
@@ -155,23 +135,12 @@ def put_steps(results, campaign):
     for (law, seed), slopes in lines_of(campaign).items():
         sizes = sorted(slopes)
         exponent = math.log(abs(slopes[sizes[-1]] / slopes[sizes[0]])) / math.log(sizes[-1] / sizes[0])
-        print(
-            f"{LAWS[law]}, packing {seed}: "
-            + ", ".join(f"{slopes[h]:.3e} at {h:g}" for h in sizes)
-            + f"; exponent {exponent:.3f}"
-        )
+        listed = ", ".join(f"{slopes[h]:.3e} at {h:g}" for h in sizes)
+        case = f"{LAWS[law]}, packing {seed}"
+        print(f"{case}: {listed}; exponent {exponent:.3f}")
         for h in sizes:
-            results.put(
-                ("steps", "Δγ", f"{LAWS[law]}, packing {seed}, step {h:g} τ"),
-                "per cycle",
-                f"{slopes[h]:.4g}",
-                "",
-                1,
-                campaign,
-            )
-        results.put(
-            ("steps", "exponent of the step", f"{LAWS[law]}, packing {seed}"), "1", f"{exponent:.3f}", "", 1, campaign
-        )
+            results.put_numbers("steps", f"{case}, step {h:g} τ", [("Δγ", "per cycle", f"{slopes[h]:.4g}")], campaign)
+        results.put_numbers("steps", case, [("exponent of the step", "1", f"{exponent:.3f}")], campaign)
 
 
 def put_ranges(results, study, campaign):
@@ -179,7 +148,7 @@ def put_ranges(results, study, campaign):
         gamma = strains(run, DROPPED)[DROPPED:]
         case = ", ".join(([run.row["case"]] if "case" in run.row else []) + [f"packing {run.row['seed']}"])
         print(f"{case}: range of γ over {len(gamma) - 1} cycles {max(gamma) - min(gamma):.2e}")
-        results.put((study, "range of γ", case), "1", f"{max(gamma) - min(gamma):.2g}", "", 1, campaign)
+        results.put_numbers(study, case, [("range of γ", "1", f"{max(gamma) - min(gamma):.2g}")], campaign)
 
 
 def put_all(results, study, campaign):

@@ -48,8 +48,9 @@ class Paths:
         self.per_cycle = round(PERIOD / (rows.time[1] - rows.time[0]))
         last = rows.iloc[-self.per_cycle - 1 :]
         names = [name.removeprefix("normal_force_") for name in rows if name.startswith("normal_force_")]
-        self.contacts = {name: [last[f"{column}_{name}"].to_numpy() for column in ("normal_force", "tangential_force", "sliding")]
-                         for name in names if last[f"normal_force_{name}"].max() > 0}
+        columns = ("normal_force", "tangential_force", "sliding")
+        self.contacts = {name: [last[f"{column}_{name}"].to_numpy() for column in columns] for name in names
+                         if last[f"normal_force_{name}"].max() > 0}
 
     def area(self, name):
         """∮ F_n dF_t (N²)."""
