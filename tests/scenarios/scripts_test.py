@@ -319,18 +319,26 @@ class Gallery(unittest.TestCase):
             self.assertAlmostEqual(found, known, places=4)
 
 
-class WithoutMatplotlib(unittest.TestCase):
-    def test_that_scripts_name_the_package(self):
+class WithoutPackages(unittest.TestCase):
+    def named(self, package, scripts):
+        """Scripts end with one line that names the Debian package of a module which cannot be imported."""
         with tempfile.TemporaryDirectory() as folder:
-            write(os.path.join(folder, "matplotlib.py"), "raise ImportError\n")
+            write(os.path.join(folder, package + ".py"), "raise ImportError\n")
+            write(os.path.join(folder, "table.csv"), "run,status\na,finished\n")
             environment = os.environ | {"PYTHONPATH": folder}
-            for script in ("david2005/figures.py", "lemrich2017/figures.py", "mcnamara2008/figures.py", "mcnamara2008/closed_path.py",
-                           "gallery/draw.py"):
-                words = [sys.executable, "-B", os.path.join(SCENARIOS, script), "campaigns"]
+            for script in scripts:
+                words = [sys.executable, "-B", os.path.join(SCENARIOS, script), folder]
                 done = subprocess.run(words, capture_output=True, text=True, check=False, env=environment)
                 with self.subTest(script=script):
                     self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
-                    self.assertIn("python3-matplotlib", done.stderr)
+                    self.assertIn("python3-" + package, done.stderr)
+
+    @READS
+    def test_that_scripts_that_draw_name_matplotlib(self):
+        self.named("matplotlib", ("david2005/figures.py", "lemrich2017/figures.py", "mcnamara2008/figures.py", "mcnamara2008/closed_path.py", "gallery/draw.py"))
+
+    def test_that_scripts_that_read_name_pandas(self):
+        self.named("pandas", ("lemrich2017/exponent.py",))
 
 
 class Help(unittest.TestCase):
