@@ -103,7 +103,8 @@ TEST_CASE("springs of bodies that are apart, or of a law without springs, are sa
   CHECK(apart.taken_over() == std::vector<std::string>{"springs of 1 contact"});
   REQUIRE(apart.let_go().size() == 1);
   CHECK_THAT(apart.let_go()[0],
-             Catch::StartsWith("1 spring of the file lost, since the bodies do not touch, are both fixed, or their law "));
+             Catch::StartsWith(
+                 "1 spring of the file lost, since the bodies do not touch, are both fixed, or their law "));
   scene.laws[0].parameters = test::parameters("linear_spring_dashpot", SCREE_CONTACT_LAW,
                                               {{"normal_stiffness", {1e4}}, {"normal_damping", {0}}});
   scene.springs.erase(scene.springs.begin());

@@ -72,7 +72,8 @@ void Session::resume(Study& study, const State& state, const std::filesystem::pa
   with_state_of(file.string(), [&] { study.restore(state); });
   directory_.create();
   room_.reserve(directory_, kind_.record);
-  record_running();  // before files that follow the state are removed: killed then, the run is not taken for finished
+  // Before files that follow the state are removed: killed then, the run is not taken for finished.
+  record_running();
   study.reopen();
   carry_out([&] {
     record_running();

@@ -8,8 +8,8 @@ class vtkRenderer;
 
 namespace scree::pictures {
 
-// Adds the contacts as bars with a width proportional to the normal force; sliding contacts are red. strong: only
-// contacts above the mean normal force, coloured by it.
+// Adds the contacts as bars with a width proportional to the normal force; sliding contacts are red. strong:
+// only contacts above the mean normal force, coloured by it.
 void add_contacts(vtkRenderer* renderer, const Frame& frame, bool strong);
 
 // Explanation of the bars, for the caption.

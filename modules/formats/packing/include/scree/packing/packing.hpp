@@ -37,12 +37,12 @@ struct Bounds {
 struct Packing {
   int dimension = 3;  // 2 or 3
   std::vector<Body> bodies;
-  std::optional<Bounds> bounds;    // absent: the source has no box
-  std::array<bool, 3> periodic{};  // along x, y, z; a periodic axis needs bounds of positive length
-  double time = 0.0;               // (s) of the recorded state
+  std::optional<Bounds> bounds;            // absent: the source has no box
+  std::array<bool, 3> periodic{};          // along x, y, z; a periodic axis needs bounds of positive length
+  double time = 0.0;                       // (s) of the recorded state
   std::optional<std::int64_t> timestep{};  // of the frame of a dump
-  bool own_ids = false;            // the source has ids; else they number its bodies
-  std::string format;              // of a file, as a noun: "CSV"
+  bool own_ids = false;                    // the source has ids; else they number its bodies
+  std::string format;                      // of a file, as a noun: "CSV"
 };
 
 // Throws Error naming the body and the field unless the packing obeys the rules above and has a body.

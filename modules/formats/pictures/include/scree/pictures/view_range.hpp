@@ -35,8 +35,8 @@ class ViewRange {
   std::optional<std::array<double, 2>> colors_;
 };
 
-// Whether a wall at a height (m) is near enough to bodies between `low` and `high`, whose largest extent is given,
-// that a picture with both still shows the bodies: at most three extents away.
+// Whether a wall at a height (m) is near enough to bodies between `low` and `high`, whose largest extent is
+// given, that a picture with both still shows the bodies: at most three extents away.
 inline bool within_view(double height, double low, double high, double extent) {
   constexpr double reach = 3;
   return height >= low - reach * extent && height <= high + reach * extent;
