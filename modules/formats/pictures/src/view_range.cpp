@@ -1,7 +1,7 @@
+#include "body_stress.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <unordered_map>
 
 #include <scree/pictures/view_range.hpp>
 
@@ -20,39 +20,6 @@ std::vector<double> components(const std::vector<double>& vectors, std::size_t a
   std::vector<double> values(vectors.size() / 3);
   for (std::size_t k = 0; k < values.size(); ++k) values[k] = vectors[3 * k + axis];
   return values;
-}
-
-// Calls use(body, contact) for both bodies of each contact; false if the frame does not say which they are.
-template <class Use>
-bool for_each_end(const Frame& frame, const Use& use) {
-  if (frame.contact_a.size() != frame.contact_count()) return false;
-  std::unordered_map<std::int64_t, std::size_t> bodies;
-  for (std::size_t i = 0; i < frame.particle_count(); ++i) bodies[frame.id[i]] = i;
-  for (std::size_t c = 0; c < frame.contact_count(); ++c)
-    for (const std::int64_t id : {frame.contact_a[c], frame.contact_b[c]})
-      if (const auto found = bodies.find(id); found != bodies.end()) use(found->second, c);
-  return true;
-}
-
-std::vector<double> largest_forces(const Frame& frame) {
-  const std::vector<double> forces = magnitudes(frame.contact_force);
-  std::vector<double> largest(frame.particle_count(), 0.0);
-  const bool known = for_each_end(
-      frame, [&](std::size_t body, std::size_t c) { largest[body] = std::max(largest[body], forces[c]); });
-  return known ? largest : std::vector<double>();
-}
-
-// Mean normal stress of each body by Love and Weber, Σ_c f_n l/(D V), with the arms l to the middle of the
-// overlap.
-std::vector<double> pressures(const Frame& frame) {
-  std::vector<double> pressure(frame.particle_count(), 0.0);
-  const bool known = for_each_end(frame, [&](std::size_t body, std::size_t c) {
-    const double r = frame.radius[body], pi = std::numbers::pi;
-    const double volume = frame.dimension == 2 ? pi * r * r : 4.0 / 3.0 * pi * r * r * r;
-    pressure[body] += frame.contact_normal_force[c] * (r - 0.5 * frame.contact_overlap[c]) /
-                      (double(frame.dimension) * volume);
-  });
-  return known ? pressure : std::vector<double>();
 }
 
 // Whether a height along an axis is so near to the bodies that a picture of it still shows these.

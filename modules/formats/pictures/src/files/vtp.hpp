@@ -24,6 +24,7 @@ inline constexpr const char* velocity = "velocity";
 inline constexpr const char* spin = "spin";
 inline constexpr const char* coordination = "coordination";
 inline constexpr const char* force = "force";
+inline constexpr const char* stress = "stress";
 
 inline constexpr const char* normal_force = "normal_force";
 inline constexpr const char* tangential_force = "tangential_force";

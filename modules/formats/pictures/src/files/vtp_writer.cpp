@@ -1,3 +1,4 @@
+#include "body_stress.hpp"
 #include "vtp.hpp"
 
 #include <algorithm>
@@ -110,6 +111,8 @@ std::string particles_vtp(const Frame& frame) {
   add_carried_column<vtkDoubleArray>(columns, vtp::spin, frame.spin, 3);
   add_carried_column<vtkTypeInt32Array>(columns, vtp::coordination, frame.coordination);
   add_carried_column<vtkDoubleArray>(columns, vtp::force, frame.force, 3);
+  if (!frame.contact_force.empty())
+    add_carried_column<vtkDoubleArray>(columns, vtp::stress, stresses(frame), 6);
   add_scene(data->GetFieldData(), frame);
   return serialise(data);
 }

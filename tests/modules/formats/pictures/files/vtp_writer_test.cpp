@@ -10,7 +10,7 @@ TEST_CASE("files contain the names of the arrays and binary data", "[snapshot]")
   backend().write_frame(sample_frame(), directory.path());
   const std::string particles = read_text(directory / particles_file);
   for (const char* name :
-       {"id", "material", "radius", "velocity", "spin", "coordination", "force", "TimeValue"})
+       {"id", "material", "radius", "velocity", "spin", "coordination", "force", "stress", "TimeValue"})
     CHECK_THAT(particles, Contains("Name=\"" + std::string(name) + "\""));
   CHECK_THAT(particles, Contains("type=\"PolyData\"") && Contains("encoding=\"base64\""));
   const std::string contacts = read_text(directory / "contacts_0123456789.vtp");
