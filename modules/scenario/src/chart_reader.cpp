@@ -59,12 +59,51 @@ std::string add_curves(const ProbeColumns& columns, const std::vector<std::size_
   return same ? unit(0) : "";
 }
 
-ChartPlan read_chart(const document::Table& t, const std::vector<ProbeColumns>& probes) {
-  ChartPlan chart;
-  chart.name = read(t, chart_keys.name);
-  check_file_name(t, chart.name);
-  chart.format = read(t, chart_keys.format);
-  const ProbeColumns& columns = probe_named(t, probes);
+// The columns "<name>_1", "<name>_2", ... of a probe, and their unit.
+ProfilePlan read_profile(const document::Table& t, const ProbeColumns& columns, std::string& unit) {
+  ProfilePlan profile;
+  profile.probe = columns.probe;
+  const std::string name = read(t, chart_keys.profile);
+  for (int k = 1;; ++k) {
+    const std::string numbered = fmt::format("{}_{}", name, k);
+    const auto found = std::find(columns.names.begin(), columns.names.end(), numbered);
+    if (found == columns.names.end()) break;
+    unit = columns.units[std::size_t(found - columns.names.begin())];
+    profile.columns.push_back(numbered);
+  }
+  if (profile.columns.size() < 2)
+    throw t.error(chart_keys.profile,
+                  fmt::format("the probe {} has no columns {}_1, {}_2, ...", columns.probe, name, name),
+                  "give the name of numbered columns, as of bins");
+  profile.low = 0.5;
+  profile.high = double(profile.columns.size()) + 0.5;
+  if (t.optional(chart_keys.profile_range)) {
+    const std::vector<double> range = t.numbers(chart_keys.profile_range, 2);
+    if (range[0] >= range[1])
+      throw t.error(chart_keys.profile_range, fmt::format("{:g} is not below {:g}", range[0], range[1]),
+                    "give the lower value first");
+    profile.low = range[0];
+    profile.high = range[1];
+  }
+  profile.curves = int(read(t, chart_keys.profile_curves));
+  return profile;
+}
+
+void read_profile_chart(const document::Table& t, const ProbeColumns& columns, ChartPlan& chart) {
+  for (const char* key : {"x", "y"})
+    if (t.has(key)) throw t.error(key, fmt::format("both profile and {} are given", key), "keep one of them");
+  std::string unit;
+  chart.profile = read_profile(t, columns, unit);
+  set_axis(t, chart_keys.x_label, "bin", read(t, chart_keys.profile_unit), chart.x_label, chart.x_unit);
+  set_axis(t, chart_keys.y_label, as_words(read(t, chart_keys.profile)), unit, chart.y_label, chart.y_unit);
+}
+
+void read_curves(const document::Table& t, const ProbeColumns& columns, ChartPlan& chart) {
+  for (const Key& key :
+       {chart_keys.profile_range, Key(chart_keys.profile_unit), Key(chart_keys.profile_curves)})
+    if (t.has(key))
+      throw t.error(key, fmt::format("{} needs profile, which is not given", key.name),
+                    "add profile, or remove it");
   const std::string x = read(t, chart_keys.x);
   const std::size_t x_at = find_name(t, "x", "column", x, columns.names);
   const bool several = t.is_array(chart_keys.y);
@@ -74,11 +113,20 @@ ChartPlan read_chart(const document::Table& t, const std::vector<ProbeColumns>& 
   for (std::size_t k = 0; k < ys.size(); ++k)
     at.push_back(find_name(t, "y", "column", ys[k], columns.names, k));
   const std::string y_unit = add_curves(columns, at, x, chart);
-  chart.title = t.string(chart_keys.title, chart.name);
   set_axis(t, chart_keys.x_label, as_words(x), columns.units[x_at], chart.x_label, chart.x_unit);
   // The names of several curves are in the legend.
   const std::string y_words = ys.size() == 1 ? as_words(ys[0]) : quantity_of(y_unit);
   set_axis(t, chart_keys.y_label, y_words, y_unit, chart.y_label, chart.y_unit);
+}
+
+ChartPlan read_chart(const document::Table& t, const std::vector<ProbeColumns>& probes) {
+  ChartPlan chart;
+  chart.name = read(t, chart_keys.name);
+  check_file_name(t, chart.name);
+  chart.format = read(t, chart_keys.format);
+  const ProbeColumns& columns = probe_named(t, probes);
+  chart.title = t.string(chart_keys.title, chart.name);
+  t.has(chart_keys.profile) ? read_profile_chart(t, columns, chart) : read_curves(t, columns, chart);
   chart.log_x = read(t, chart_keys.log_x);
   chart.log_y = read(t, chart_keys.log_y);
   return chart;

@@ -16,10 +16,8 @@ struct ProbeKeys : TableKeys {
                             "time between updates of what the probe keeps, if it observes the run");
   Key stages = other("stages", "[\"name\", ...]", Range::any(), "default all", "stages in which it records");
   StringKey name = string("name", "of the file", "default the plug-in's");
-  Key groups =
-      other("groups", "[\"name\", ...]", Range::any(), "default all bodies",
-            "groups whose bodies it counts: contacts, layer, mean_squared_displacement, momentum, profile, "
-            "strain, unbalanced_force");
+  Key groups = other("groups", "[\"name\", ...]", Range::any(), "default all bodies",
+                     "groups whose bodies it counts; refused by probes of walls and of the energy balance");
   Key leave_out = other("leave_out", "[\"name\", ...]", Range::any(), "default none",
                         "groups whose bodies these do not count");
 };
@@ -29,7 +27,14 @@ struct ChartKeys : TableKeys {
   StringKey name = string("name", "of the file");
   StringKey probe = string("probe", "name of a [[probe]]");
   StringKey x = string("x", "time", "column", "default \"time\"");
-  Key y = other("y", "text or [text, ...]", Range::any(), "required", "columns, a curve each");
+  Key y = other("y", "text or [text, ...]", Range::any(), "this or profile", "columns, a curve each");
+  StringKey profile =
+      string("profile", "name of numbered columns without their number, drawn over the bins", "this or y");
+  Key profile_range = other("profile_range", "[low, high]", Range::any(), "default the numbers of the bins",
+                            "x at the outer ends of the first and the last bin");
+  StringKey profile_unit = string("profile_unit", "", "of profile_range", "default none");
+  IntegerKey profile_curves = integer("profile_curves", Range::between(1, 20), 1,
+                                      "times for which the profile is drawn, the last at the end");
   StringKey title = string("title", "above the chart", "default the name");
   StringKey x_label =
       string("x_label", "of the axis; its unit is added unless the label ends with it or has brackets",

@@ -53,3 +53,35 @@ TEST_CASE("a label of one's own gets the unit, unless it says it", "[scenario]")
   has_y("y = 'work'\ny_label = 'JJ'", "JJ", "J");
   CHECK(chart_with("y = 'work'\nx_label = 'loading'").x_unit == "s");
 }
+
+TEST_CASE("a profile is a chart over the numbered columns of bins", "[scenario]") {
+  const std::vector<ProbeColumns> bins = {
+      {"density",
+       {"time", "fill_1", "volume_1", "fill_2", "volume_2", "fill_3", "volume_3", "fill_5"},
+       {"s", "", "m^3", "", "m^3", "", "m^3", ""}}};
+  const auto chart = [&](const std::string& keys) {
+    const document::Document text =
+        document::Document::parse("[[chart]]\nname = 'c'\nprobe = 'density'\n" + keys, "scene.toml");
+    return read_charts(text.root(), bins).at(0);
+  };
+  const ChartPlan by_number = chart("profile = 'fill'\n");
+  REQUIRE(by_number.profile);
+  CHECK(by_number.curves.empty());
+  CHECK(by_number.profile->columns == std::vector<std::string>{"fill_1", "fill_2", "fill_3"});
+  CHECK(by_number.profile->low == 0.5);
+  CHECK(by_number.profile->high == 3.5);
+  CHECK(by_number.x_label == "bin");
+  const ChartPlan over_height = chart(
+      "profile = 'volume'\nprofile_range = [0, 0.6]\nprofile_unit = 'm'\nprofile_curves = 4\nx_label = 'z'\n");
+  CHECK(over_height.profile->high == 0.6);
+  CHECK(over_height.profile->curves == 4);
+  CHECK(over_height.x_label == "z");
+  CHECK(over_height.x_unit == "m");
+  CHECK(over_height.y_unit == "m^3");
+  const auto refused = [&](const std::string& keys) { return scree::test::message([&] { chart(keys); }); };
+  CHECK_THAT(refused("profile = 'fil'\n"),
+             Catch::Contains("the probe density has no columns fil_1, fil_2, ...; "));
+  CHECK_THAT(refused("profile = 'fill'\ny = 'fill_1'\n"), Catch::Contains("both profile and y are given"));
+  CHECK_THAT(refused("profile = 'fill'\nprofile_range = [1, 1]\n"), Catch::Contains("1 is not below 1"));
+  CHECK_THAT(refused("y = 'fill_1'\nprofile_curves = 2\n"), Catch::Contains("profile_curves needs profile"));
+}

@@ -83,12 +83,21 @@ struct CurvePlan {
   std::string probe, x, y;  // columns; x may be "time"
 };
 
+// Curves over numbered columns, such as those of bins: one for each of some times.
+struct ProfilePlan {
+  std::string probe;
+  std::vector<std::string> columns;  // in their order
+  double low = 0, high = 0;          // x at the outer ends of the first and the last column
+  int curves = 1;                    // at equal numbers of samples apart, the last at the end
+};
+
 struct ChartPlan {
   std::string name;    // of the file
   std::string format;  // one of charts::chart_formats
   std::string title, x_label, y_label;
   std::string x_unit, y_unit;  // SI, shown with a prefix after the label; empty: none is added
   std::vector<CurvePlan> curves;
+  std::optional<ProfilePlan> profile;  // instead of curves
   bool log_x = false, log_y = false;
 
   std::string file_name() const { return name + "." + format; }
