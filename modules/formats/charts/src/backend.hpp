@@ -8,7 +8,7 @@
 namespace scree::charts {
 
 // Incremented when this interface or a struct in it changes; loader and library must have the same version.
-inline constexpr int backend_version = 1;
+inline constexpr int backend_version = 2;
 
 // Draws charts. Not thread-safe.
 class ChartBackend {

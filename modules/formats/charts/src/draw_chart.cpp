@@ -34,7 +34,11 @@ void draw_chart(const ChartSpec& spec, const std::filesystem::path& file) {
   if (std::find(chart_formats.begin(), chart_formats.end(), format) == chart_formats.end())
     throw Error(fmt::format("{}: is no name of a chart; give one that ends in .{}", file.string(),
                             fmt::join(chart_formats, ", .")));
-  files::write_in_folder(file, backend().draw(spec, format));
+  files::write_in_folder(file, chart_bytes(spec, format));
+}
+
+std::string chart_bytes(const ChartSpec& spec, std::string_view format) {
+  return backend().draw(spec, format);
 }
 
 }  // namespace scree::charts

@@ -22,6 +22,11 @@ std::string refusal(const ChartSpec& spec, const std::string& name = "chart.png"
 
 }  // namespace
 
+TEST_CASE("the bytes of a chart are those of its file", "[charts]") {
+  const ChartSpec spec = spec_of({0, 1}, {0, 1});
+  for (const char* format : {"svg", "png"}) CHECK(chart_bytes(spec, format) == file_of(spec, format));
+}
+
 TEST_CASE("a name without a known format is refused", "[charts]") {
   const ChartSpec spec = spec_of({0, 1}, {0, 1});
   CHECK_THAT(refusal(spec, "chart.jpg"),

@@ -35,8 +35,9 @@ void trim(ChartSeries& series) {
   std::size_t first = 0, last = series.x.size();
   while (last > 0 && std::isnan(series.x[last - 1])) --last;
   while (first < last && std::isnan(series.x[first])) ++first;
-  for (std::vector<double>* values : {&series.x, &series.y})
-    *values = {values->begin() + std::ptrdiff_t(first), values->begin() + std::ptrdiff_t(last)};
+  for (std::vector<double>* values : {&series.x, &series.y, &series.y_error})
+    if (!values->empty())
+      *values = {values->begin() + std::ptrdiff_t(first), values->begin() + std::ptrdiff_t(last)};
 }
 
 std::string reason(const Left& left) {
@@ -53,6 +54,10 @@ void check(const ChartSpec& spec) {
       throw Error(
           fmt::format("chart: series \"{}\" has {} x and {} y values; give equal numbers, at least one",
                       series.name, series.x.size(), series.y.size()));
+    else if (!series.y_error.empty() && series.y_error.size() != series.y.size())
+      throw Error(
+          fmt::format("chart: series \"{}\" has {} y values and {} errors; give one for each, or none",
+                      series.name, series.y.size(), series.y_error.size()));
 }
 
 }  // namespace

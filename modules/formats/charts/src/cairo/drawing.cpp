@@ -3,6 +3,7 @@
 #include "text.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace scree::charts {
@@ -61,6 +62,26 @@ void draw_axes(cairo_t* cairo, const Layout& layout) {
     draw_text(cairo, plot.left - 0.6 * label_font,
               plot.bottom() - layout.y.position(layout.y_ticks.values[k]) * plot.height,
               layout.y_ticks.labels[k], {label_font, Align::right}, plot.left);
+}
+
+// Bars of the errors, which end at the lower edge where a logarithmic axis has no place for their end.
+void draw_error_bars(cairo_t* cairo, const Layout& layout, const ChartSeries& series,
+                     const CurveStyle& style) {
+  constexpr double cap = 0.25 * label_font;
+  for (std::size_t k = 0; k < series.y_error.size(); ++k) {
+    const double value = series.y[k], error = series.y_error[k];
+    if (!(error > 0) || !std::isfinite(error) || std::isnan(value)) continue;
+    const Point top = layout.place(series.x[k], value + error);
+    Point bottom = layout.place(series.x[k], value - error);
+    const bool ends = std::isfinite(bottom.y);
+    if (!ends) bottom.y = layout.plot.bottom();
+    add_line(cairo, top, bottom);
+    add_line(cairo, {top.x - cap, top.y}, {top.x + cap, top.y});
+    if (ends) add_line(cairo, {bottom.x - cap, bottom.y}, {bottom.x + cap, bottom.y});
+  }
+  cairo_set_source_rgb(cairo, style.color[0], style.color[1], style.color[2]);
+  cairo_set_line_width(cairo, thick);
+  cairo_stroke(cairo);
 }
 
 // The middle of a label in the middle of the plot, or as near to it as there is room in the picture.
@@ -123,6 +144,7 @@ void draw(cairo_t* cairo, const ChartSpec& spec, const Layout& layout) {
     std::vector<Point> points;
     for (std::size_t i = 0; i < series.x.size(); ++i)
       points.push_back(layout.place(series.x[i], series.y[i]));
+    draw_error_bars(cairo, layout, series, CurveStyle::of(series, k));
     draw_curve(cairo, points, CurveStyle::of(series, k), label_font);
   }
   draw_labels(cairo, spec, layout);

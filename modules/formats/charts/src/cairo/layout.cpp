@@ -14,16 +14,36 @@ namespace {
 
 using Column = std::vector<double> ChartSeries::*;
 
-AxisScale scale_of(const ChartSpec& spec, Column column, bool logarithmic, double pad) {
+// The lowest and the highest of some values.
+struct Range {
   double lower = std::numeric_limits<double>::infinity(), upper = -lower;
-  for (const ChartSeries& series : spec.series) {
-    for (const double value : series.*column) {
-      if (std::isnan(value)) continue;
-      lower = std::min(lower, value);
-      upper = std::max(upper, value);
-    }
+
+  void add(double value) {
+    if (std::isnan(value)) return;
+    lower = std::min(lower, value);
+    upper = std::max(upper, value);
   }
-  return {lower, upper, logarithmic, pad};
+};
+
+AxisScale scale_of(const ChartSpec& spec, Column column, bool logarithmic, double pad) {
+  Range range;
+  for (const ChartSeries& series : spec.series)
+    for (const double value : series.*column) range.add(value);
+  return {range.lower, range.upper, logarithmic, pad};
+}
+
+// That of the values with their bars; a logarithmic axis has no end for bars that reach below 0.
+AxisScale y_scale_of(const ChartSpec& spec, double pad) {
+  Range range;
+  for (const ChartSeries& series : spec.series)
+    for (std::size_t k = 0; k < series.y.size(); ++k) {
+      const double value = series.y[k], error = series.y_error.empty() ? 0 : series.y_error[k];
+      range.add(value);
+      if (!std::isfinite(error)) continue;
+      range.add(value + error);
+      if (!spec.log_y || value > error) range.add(value - error);
+    }
+  return {range.lower, range.upper, spec.log_y, pad};
 }
 
 double widest(const std::vector<std::string>& lines) {
@@ -149,7 +169,7 @@ void place_legend(Layout& layout, const ChartSpec& spec) {
 
 Layout Layout::of(const ChartSpec& spec, const std::string& note) {
   const AxisScale x = scale_of(spec, &ChartSeries::x, spec.log_x, 0.02);
-  const AxisScale y = scale_of(spec, &ChartSeries::y, spec.log_y, 0.05);
+  const AxisScale y = y_scale_of(spec, 0.05);
   Layout layout{wrapped(spec.title, chart_width - 4 * label_font), note, x, y, {}, y.ticks(7), {}, {}};
   const double left = 3.2 * label_font + widest(layout.y_ticks.labels);
   const double bottom = 4.0 * label_font;

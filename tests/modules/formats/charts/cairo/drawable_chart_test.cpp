@@ -34,3 +34,13 @@ TEST_CASE("text of any bytes is drawn, and nothing else is lost by it", "[charts
   CHECK(trace(drawn(spec), red).columns > 800);
   CHECK(file_of(spec, "svg").find("<title>a?z  ?</title>") != std::string::npos);
 }
+
+TEST_CASE("errors are as many as values, and go with their points", "[charts]") {
+  ChartSpec spec = spec_of({0, 1, 2}, {NAN, 1, 2});
+  spec.series[0].y_error = {0.1, 0.1};
+  CHECK_THROWS_WITH(
+      file_of(spec, "svg"),
+      Catch::Contains("series \"one\" has 3 y values and 2 errors; give one for each, or none"));
+  spec.series[0].y_error = {5, 0.1, NAN};
+  CHECK(drawn(spec).width > 0);
+}

@@ -52,3 +52,24 @@ TEST_CASE("a title of any length is drawn in little time", "[charts]") {
     CHECK(double(std::clock() - start) / CLOCKS_PER_SEC < 5);
   }
 }
+
+TEST_CASE("bars of errors are within the plot", "[charts]") {
+  ChartSpec spec = spec_of({0, 1, 2}, {1, 1, 1});
+  spec.series[0].line = LineStyle::none;
+  spec.series[0].markers = true;
+  spec.series[0].y_error = {NAN, 1, NAN};
+  const Pixels picture = drawn(spec);
+  const Plot plot = Plot::of(picture);
+  // The bar goes over all of the plot but its margins; its caps are wider than the mark is.
+  int rows = 0;
+  for (int y = plot.top; y < plot.bottom; ++y) {
+    bool found = false;
+    for (int x = plot.left + 1; x < plot.right && !found; ++x) found = is_near(picture.at(x, y), red);
+    rows += found;
+  }
+  CHECK(rows > 0.85 * (plot.bottom - plot.top));
+  // On a logarithmic axis it has no lower end, and the values alone give the range.
+  spec.log_y = true;
+  spec.series[0].y_error = {NAN, 1.5, NAN};
+  CHECK(Plot::of(drawn(spec)).bottom > 0);
+}

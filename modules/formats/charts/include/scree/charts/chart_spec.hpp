@@ -20,6 +20,7 @@ struct ChartSeries {
   LineStyle line =
       LineStyle::solid;  // without a colour dashed and dotted too where the cycle of colours begins again
   bool markers = false;
+  std::vector<double> y_error = {};  // half the length of a bar at each point; NaN: none there; empty: none
 };
 
 // A chart: curves with common axes.

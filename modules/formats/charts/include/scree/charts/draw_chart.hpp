@@ -2,6 +2,7 @@
 
 #include <array>
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 #include <scree/charts/chart_spec.hpp>
@@ -17,5 +18,8 @@ inline constexpr std::array<std::string_view, 3> chart_formats = {"png", "svg", 
 // Error if a series is empty, has x and y of different length, or no point that can be drawn, and if the file
 // cannot be written.
 void draw_chart(const ChartSpec& spec, const std::filesystem::path& file);
+
+// The bytes of such a file in one of chart_formats, for a chart that is part of another document.
+std::string chart_bytes(const ChartSpec& spec, std::string_view format);
 
 }  // namespace scree::charts
