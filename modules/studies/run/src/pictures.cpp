@@ -8,7 +8,7 @@
 #include <scree/error.hpp>
 #include <scree/pictures/frame_files.hpp>
 #include <scree/pictures/load_backend.hpp>
-#include <scree/run/charts.hpp>
+#include <scree/scenario/charts.hpp>
 
 namespace scree::run {
 
@@ -82,10 +82,11 @@ void Pictures::write_image(const Simulation& s) {
 }
 
 void Pictures::draw(const scenario::ChartPlan& plan, const Sampler& sampler) {
-  const charts::ChartSpec chart = chart_of(plan, [&](const std::string& probe, const std::string& column) {
+  const auto column = [&](const std::string& probe, const std::string& name) {
     const Series& series = sampler.series(probe);
-    return series.rows() > 0 ? series.column(column) : std::vector<double>();
-  });
+    return series.rows() > 0 ? series.column(name) : std::vector<double>();
+  };
+  const charts::ChartSpec chart = scenario::chart_of(plan, column);
   charts::draw_chart(chart, directory_.add("charts/" + plan.file_name()));
 }
 

@@ -5,17 +5,10 @@
 #include <string>
 #include <vector>
 
-#include <scree/charts/chart_spec.hpp>
 #include <scree/scenario/plan.hpp>
 #include <scree/simulation.hpp>
 
 namespace scree::run {
-
-// Values of a column of a probe, "time" included; empty if it was never sampled.
-using ColumnOf = std::function<std::vector<double>(const std::string& probe, const std::string& column)>;
-
-// The chart of a plan, its axes in units with prefixes. Throws Error if no probe was sampled.
-charts::ChartSpec chart_of(const scenario::ChartPlan& plan, const ColumnOf& column);
 
 // Which points charts of a scene will leave out at its start, as far as that is known before a run: a line
 // "chart <name>: ..." for each.
