@@ -10,7 +10,7 @@
 #include <scree/charts/draw_chart.hpp>
 #include <scree/document/document.hpp>
 #include <scree/error.hpp>
-#include <scree/files/csv_rows.hpp>
+#include <scree/report/result_tables.hpp>
 #include <scree/run/charts.hpp>
 #include <scree/run/series.hpp>
 #include <scree/run/written_files.hpp>
@@ -57,33 +57,6 @@ std::vector<std::string> left_out_at_start(const scenario::Plan& plan, const Sim
 
 namespace {
 
-// The tables of a run or study by their names: its series, then what lies beside its record.
-std::map<std::string, fs::path> tables_in(const fs::path& run) {
-  std::map<std::string, fs::path> tables;
-  std::error_code failed;
-  for (const fs::path& folder : {run / "series", run})
-    for (const auto& entry : fs::directory_iterator(folder, failed))
-      if (entry.path().extension() == ".csv") tables.emplace(entry.path().stem().string(), entry.path());
-  if (tables.empty())
-    throw Error(fmt::format(
-        "{}: contains no series/*.csv and no *.csv; give the directory of a run with probes, or of a study",
-        run.string()));
-  return tables;
-}
-
-std::vector<scenario::ProbeColumns> columns_of(const std::map<std::string, fs::path>& tables) {
-  std::vector<scenario::ProbeColumns> probes;
-  for (const auto& [name, file] : tables) {
-    probes.push_back({name, {}, {}});
-    const files::CsvRows rows(file);
-    for (const files::CsvRows::Column& column : rows.columns()) {
-      probes.back().names.push_back(column.name);
-      probes.back().units.push_back(column.unit);
-    }
-  }
-  return probes;
-}
-
 // Charts of the run itself are drawn again; other files are replaced only if that is asked for.
 fs::path place_of(const ChartRequest& request, std::optional<WrittenFiles>& list, const std::string& file) {
   if (list && list->contains("charts/" + file)) return request.run / "charts" / file;
@@ -98,9 +71,14 @@ fs::path place_of(const ChartRequest& request, std::optional<WrittenFiles>& list
 
 void redraw_charts(const ChartRequest& request, const std::function<void(const fs::path&)>& drawn) {
   const fs::path scenario = request.scenario.empty() ? request.run / "scenario.toml" : request.scenario;
-  const std::map<std::string, fs::path> tables = tables_in(request.run);
+  const std::map<std::string, fs::path> tables = report::tables_in(request.run);
+  if (tables.empty())
+    throw Error(fmt::format(
+        "{}: contains no series/*.csv and no *.csv; give the directory of a run with probes, or of a study",
+        request.run.string()));
   const document::Document document = document::Document::load(scenario, request.overrides);
-  const std::vector<scenario::ChartPlan> plans = scenario::read_charts(document.root(), columns_of(tables));
+  const std::vector<scenario::ChartPlan> plans =
+      scenario::read_charts(document.root(), report::columns_of(tables));
   for (const document::Table& chart : document.root().tables("chart")) chart.refuse_unused();
   if (plans.empty())
     throw Error(

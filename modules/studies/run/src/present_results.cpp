@@ -132,12 +132,4 @@ bool has_results(const fs::path& directory, const ResultKind& kind) {
   return fs::exists(directory / kind.record, failed);
 }
 
-nlohmann::ordered_json parse_record(const std::string& text) {
-  constexpr int deepest = 32;
-  const auto keep = [](int depth, nlohmann::ordered_json::parse_event_t, nlohmann::ordered_json&) {
-    return depth < deepest;
-  };
-  return nlohmann::ordered_json::parse(text, keep, false);
-}
-
 }  // namespace scree::run

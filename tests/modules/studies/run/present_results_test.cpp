@@ -20,13 +20,6 @@ std::string refused_at(const fs::path& path, RunDirectory::Existing existing) {
 
 }  // namespace
 
-TEST_CASE("a record is read but for what is nested deeper than any program writes", "[run]") {
-  CHECK(parse_record("{ \"a\": [1, 2] }").dump() == "{\"a\":[1,2]}");
-  CHECK(parse_record("no record").is_discarded());
-  const std::string deep(100'000, '[');
-  CHECK(parse_record("{ \"a\": 1, \"b\": " + deep + std::string(100'000, ']') + " }")["a"] == 1);
-}
-
 TEST_CASE("a run that failed can go on if it has a state, and the refusal of another says so", "[run]") {
   const TemporaryFolder folder;
   const fs::path run = folder / "run";

@@ -3,8 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include <nlohmann/json_fwd.hpp>
-
+#include <scree/report/record.hpp>
 #include <scree/run/run_directory.hpp>
 
 namespace scree::run {
@@ -35,8 +34,6 @@ inline constexpr const char* scenario_file = "scenario.toml";
 // Whether a directory has results of a kind.
 bool has_results(const std::filesystem::path& directory, const ResultKind& kind);
 
-// The JSON of a record, such as run.json or campaign.json, without what is nested deeper than any program
-// writes; discarded if it is not JSON.
-nlohmann::ordered_json parse_record(const std::string& text);
+using report::parse_record;
 
 }  // namespace scree::run
