@@ -60,7 +60,8 @@ void print_places(const std::filesystem::path& directory, bool quiet) {
   fmt::print("results in {}\n", files::escaped(directory.string()));
   if (quiet) return;
   for (const auto& [name, what] :
-       {std::pair{"series", "time series (CSV)"},
+       {std::pair{"report.html", "all that follows on one page"},
+        {"series", "time series (CSV)"},
         {"snapshots", "ParaView files (.vtp, .pvd)"},
         {"images", "pictures (PNG)"},
         {"charts", "charts"},

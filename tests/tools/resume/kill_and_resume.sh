@@ -20,9 +20,10 @@ cases=(
   "box --set time.precision=mixed --threads 2"
 )
 
-# The results of a run: all its files but states, the list of files, and what run.json says of times and threads.
+# The results of a run: all its files but states, the list of files, and what run.json and report.html say of times and
+# threads.
 results() {
-  (cd "$1" && find . -type f ! -path './checkpoint/*' ! -name '*.h5' ! -name 'written.txt' ! -name '.lock' ! -name run.json \
+  (cd "$1" && find . -type f ! -path './checkpoint/*' ! -name '*.h5' ! -name 'written.txt' ! -name '.lock' ! -name run.json ! -name report.html \
     -exec sha256sum {} + | sort -k2
    grep -v '"threads"\|_s"\|"states"\|per_second' run.json)
 }

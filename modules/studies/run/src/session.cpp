@@ -10,6 +10,7 @@
 #include <scree/files/place_error.hpp>
 #include <scree/files/text.hpp>
 #include <scree/files/try_each.hpp>
+#include <scree/report/page.hpp>
 #include <scree/run/session.hpp>
 #include <scree/run/stage_loop.hpp>
 #include <scree/state_error.hpp>
@@ -19,7 +20,7 @@
 //
 //   new                             goes on
 //     Study::prepare                  Study::restore         bad input is refused, nothing is written
-//     directory                       directory              files of replaced results are removed
+//     directory                       directory              files of replaced results are removed, report.html
 //     record "running", scenario      room on the disk
 //     room on the disk                Study::reopen
 //     Study::open
@@ -28,10 +29,10 @@
 //                                     record "running", scenario
 //     Study::work                     Study::work            keeps states as [checkpoint] says
 //     latest state, if stopped        latest state, if stopped
-//     record "finished" or "interrupted"
+//     record "finished" or "interrupted", report.html
 //
 //   after an error since then: Study::end_failed, record "failed" with the cure of its place, latest state,
-//   Study::save_failed
+//   Study::save_failed, report.html
 
 namespace scree::run {
 
@@ -71,6 +72,7 @@ void Session::resume(Study& study, const State& state, const std::filesystem::pa
   study_ = &study;
   with_state_of(file.string(), [&] { study.restore(state); });
   directory_.create();
+  remove_page();
   room_.reserve(directory_, kind_.record);
   // Before files that follow the state are removed: killed then, the run is not taken for finished.
   record_running();
@@ -104,9 +106,28 @@ void Session::end(bool complete) {
   if (interrupted_ || kind_.keeps_state) write_kept_state();
   room_.release();
   write_record(interrupted_ ? "interrupted" : "finished");
-  if (interrupted_ || kind_.keeps_state || !kind_.state) return;
+  if (!interrupted_ && !kind_.keeps_state && kind_.state) {
+    std::error_code failed;
+    std::filesystem::remove(directory_.path() / kind_.state, failed);
+  }
+  write_page();
+}
+
+// The results are complete without it, so that they do not fail with it.
+void Session::write_page() {
+  try {
+    directory_.write_file(report::file_name, report::page_of(directory_.path()));
+  } catch (const std::exception& error) {
+    if (options_.on_warning)
+      options_.on_warning(fmt::format("{} is missing: {}", report::file_name, error.what()));
+  }
+}
+
+// That of the results from which these go on.
+void Session::remove_page() {
   std::error_code failed;
-  std::filesystem::remove(directory_.path() / kind_.state, failed);
+  if (directory_.written().contains(report::file_name))
+    std::filesystem::remove(directory_.path() / report::file_name, failed);
 }
 
 // Further errors are discarded, so that the user sees the original one.
@@ -118,7 +139,8 @@ void Session::fail(const std::string& reason) {
                     room_.release();
                     write_record("failed");
                   },
-                  [&] { write_kept_state(); }, [&] { study_->save_failed(); });
+                  [&] { write_kept_state(); }, [&] { study_->save_failed(); },
+                  [&] { directory_.write_file(report::file_name, report::page_of(directory_.path())); });
 }
 
 void Session::write_record(const char* status) {

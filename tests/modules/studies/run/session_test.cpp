@@ -116,6 +116,39 @@ TEST_CASE("a study is recorded from its start to its end, and needs no state the
   CHECK_FALSE(c.has("state.h5"));
 }
 
+TEST_CASE("a study ends with its page, which is missing while it goes on", "[run]") {
+  Counted c;
+  const auto page = [&] { return text_of(c.options.out / "report.html"); };
+  c.begin([&](Counting& study) { study.on_count = [&](std::uint64_t count) { c.stop = count == 4; }; });
+  CHECK_THAT(page(), Catch::Contains("The quasi-static load was interrupted before its end."));
+  c.stop = false;
+  c.resume(
+      [&](Counting& study) { study.on_count = [&](std::uint64_t) { CHECK_FALSE(c.has("report.html")); }; });
+  CHECK_THAT(page(), Catch::Contains("The quasi-static load finished."));
+  CHECK_THAT(text_of(c.options.out / "written.txt"), Catch::Contains("\nreport.html\n"));
+  CHECK(c.warnings.empty());
+}
+
+TEST_CASE("a study that fails ends with its page too", "[run]") {
+  Counted c;
+  CHECK_THROWS(c.begin([](Counting& study) {
+    study.on_count = [](std::uint64_t) { throw Error("it: broke; mend it", ExitStatus::failure); };
+  }));
+  CHECK_THAT(text_of(c.options.out / "report.html"),
+             Catch::Contains("The quasi-static load failed: it: broke; mend it"));
+}
+
+TEST_CASE("a study without its page is complete", "[run]") {
+  Counted c;
+  c.begin([&](Counting& study) {
+    study.on_count = [&](std::uint64_t) { std::filesystem::create_directory(c.options.out / "report.html"); };
+  });
+  CHECK(c.record()["status"] == "finished");
+  REQUIRE(c.warnings.size() == 1);
+  CHECK_THAT(c.warnings[0], Catch::StartsWith("report.html is missing: ") &&
+                                Catch::Contains("report.html: is there and was not written by a run; "));
+}
+
 TEST_CASE("a study whose first files cannot be written takes its directory back", "[run]") {
   Counted c;
   CHECK(status_of([&] {

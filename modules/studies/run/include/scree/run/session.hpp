@@ -198,6 +198,8 @@ class Session {
   void end(bool complete);
   void fail(const std::string& reason);
   void write_record(const char* status);
+  void write_page();
+  void remove_page();
   void write_kept_state();
 
   const ResultKind& kind_;
