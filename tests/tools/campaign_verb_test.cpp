@@ -34,7 +34,7 @@ TEST_CASE("a campaign runs every point and collects the results", "[tools]") {
   CHECK(outcome.status == 0);
   CHECK(outcome.err.empty());
   CHECK(contains(outcome.out, "campaign: 4 runs, 2 values of time.duration x 2 seeds\n4 finished\n"));
-  CHECK(contains(outcome.out, "results in out: table.csv, means.csv, "));
+  CHECK(contains(outcome.out, "results in out: report.html, table.csv, means.csv, "));
   const std::string table = w.text("out/table.csv");
   CHECK(table.starts_with(
       "run,time.duration,seed,status,expectations,expectations_met,warnings,threads,step,"));

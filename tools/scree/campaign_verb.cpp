@@ -57,6 +57,10 @@ campaign::ExecutionOptions options_of(const CampaignArguments& a, ProgressBar& b
              fmt::format("{} of {} done, {} running, {} failed", t.finished, counted(t.total, "run"),
                          t.running, t.failed));
   };
+  options.on_warning = [&bar](const std::string& line) {
+    bar.clear();
+    report_warning(line);
+  };
   options.on_check = [&bar](std::size_t checked, std::size_t total) {
     bar.show(0, 0, fmt::format("{} of {} checked", checked, counted(total, "run")));
   };
@@ -79,7 +83,7 @@ ExitStatus run_campaign(const campaign::Campaign& c, const CampaignArguments& a,
                        files::Escapes::lines));
   const std::filesystem::path& path = directory.files().path();
   if (std::filesystem::exists(path / "table.csv"))
-    fmt::print("results in {}: table.csv{}, one directory per run with its log.txt\n",
+    fmt::print("results in {}: report.html, table.csv{}, one directory per run with its log.txt\n",
                files::escaped(path.string()), c.seeds.size() > 1 ? ", means.csv" : "");
   if (result.interrupted) {
     fmt::print("interrupted; run the same command again to continue\n");

@@ -49,6 +49,7 @@ std::string campaign_json(const Campaign& campaign, const Execution& execution) 
                {"file", std::filesystem::absolute(campaign.source).lexically_normal().string()},
                {"scenario", campaign.scenario.string()},
                {"seeds", campaign.seeds},
+               {"collect", campaign.collect},
                {"parameters", parameters_json(campaign.parameters)},
                {"fixed", settings_json(campaign.fixed)}};
   for (const Case& one : campaign.cases) json["cases"][one.name] = settings_json(one.settings);

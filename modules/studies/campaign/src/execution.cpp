@@ -76,10 +76,21 @@ class Executor {
       report();
     }
     write_report(campaign_, result_, directory_);
+    add_page();
     return end();
   }
 
  private:
+  // The tables are complete without it.
+  void add_page() const {
+    try {
+      write_page(directory_);
+    } catch (const Error& error) {
+      if (options_.on_warning)
+        options_.on_warning(fmt::format("the report of the campaign is missing: {}", error.what()));
+    }
+  }
+
   bool stopped() const { return options_.stop && *options_.stop; }
   bool prepares(const Job& job) const { return &job.campaign == campaign_.preparation.get(); }
 

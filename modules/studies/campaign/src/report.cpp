@@ -7,6 +7,8 @@
 #include <scree/counted.hpp>
 #include <scree/document/message.hpp>
 #include <scree/files/text.hpp>
+#include <scree/files/text_file.hpp>
+#include <scree/report/page.hpp>
 
 namespace scree::campaign {
 
@@ -158,6 +160,16 @@ void write_report(const Campaign& campaign, const Execution& execution, const Ca
     files.write_file("means.csv", means_csv(campaign, execution.outcomes));
   else  // from an earlier version of the campaign
     std::filesystem::remove(files.path() / "means.csv", failed);
+}
+
+void write_page(const CampaignDirectory& directory) {
+  const run::RunDirectory& files = directory.files();
+  const std::filesystem::path file = files.path() / report::file_name;
+  std::error_code failed;
+  if (std::filesystem::exists(std::filesystem::symlink_status(file, failed)) &&
+      !report::is_page(files::read_text(file)))
+    throw Error(file.string(), "is there and was not written by a campaign", "move it elsewhere");
+  files.write_file(report::file_name, report::page_of(files.path()));
 }
 
 }  // namespace scree::campaign

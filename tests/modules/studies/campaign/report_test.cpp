@@ -27,3 +27,9 @@ TEST_CASE("the summary lists varied keys, expectations and failed runs with thei
         "finished     step=1e-5,seed=2\n"
         "failed       step=1e-5,seed=3: it broke\n");
 }
+
+TEST_CASE("the record says what is collected, for the charts of the report", "[campaign]") {
+  const Campaign c = CampaignFolder("seeds = [1]\ncollect = ['energy.work.last']\n").read();
+  CHECK_THAT(campaign_json(c, {{finished({})}}),
+             Catch::Contains("\"collect\": [\n    \"energy.work.last\"\n  ]"));
+}

@@ -27,6 +27,7 @@ struct ExecutionOptions {
   const std::atomic<bool>* stop = nullptr;                 // set by Ctrl-C: runs save their results and end
   std::function<void(const Tally&)> on_progress;           // called a few times per second
   std::function<void(std::size_t, std::size_t)> on_check;  // points checked so far, and in total
+  std::function<void(const std::string&)> on_warning;      // one line "<what>; <cure>"
 };
 
 // Result of a campaign; outcomes in the order of its points.

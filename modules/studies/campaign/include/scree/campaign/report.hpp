@@ -21,6 +21,9 @@ std::string campaign_json(const Campaign& campaign, const Execution& execution);
 // Writes table.csv, campaign.json and, with several seeds, means.csv. Throws Error (failure) if it cannot.
 void write_report(const Campaign& campaign, const Execution& execution, const CampaignDirectory& directory);
 
+// Writes report.html of what write_report() has written. Throws Error (failure) if it cannot.
+void write_page(const CampaignDirectory& directory);
+
 // For a terminal: varied keys, preparations with their wall times, number of finished runs, runs that went on
 // from a state, expectations, failed runs with their reasons, runs with warnings.
 std::string text_report(const Campaign& campaign, const Execution& execution);
