@@ -28,6 +28,7 @@ ExitStatus main_of(int argc, char** argv) {
     add_describe_verb(line);
     add_render_verb(line);
     add_chart_verb(line);
+    add_report_verb(line);
     add_export_verb(line);
     add_campaign_verb(line);
     add_bench_verb(line);

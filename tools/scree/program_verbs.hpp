@@ -14,6 +14,7 @@ void add_check_verb(CommandLine& line);
 void add_describe_verb(CommandLine& line);
 void add_render_verb(CommandLine& line);
 void add_chart_verb(CommandLine& line);
+void add_report_verb(CommandLine& line);
 void add_export_verb(CommandLine& line);
 void add_campaign_verb(CommandLine& line);
 void add_bench_verb(CommandLine& line);
