@@ -1,8 +1,13 @@
+#include <map>
+#include <string>
+#include <vector>
+
 #include <catch2/catch.hpp>
 
 #include <scree/error.hpp>
 #include <scree/scenario/charts.hpp>
 
+namespace charts = scree::charts;
 using namespace scree::scenario;
 
 TEST_CASE("a planned chart has its columns in units with prefixes", "[scenario]") {
