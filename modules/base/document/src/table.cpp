@@ -50,6 +50,11 @@ const toml::node& nearest_node(const TableState& table, std::string_view key, st
   return array != nullptr && element < array->size() ? (*array)[element] : *child;
 }
 
+std::size_t characters(std::string_view text) {
+  return std::size_t(
+      std::count_if(text.begin(), text.end(), [](unsigned char c) { return (c & 0xc0) != 0x80; }));
+}
+
 struct Unknown {
   const toml::table* table = nullptr;
   DocumentState::Entry entry;
@@ -179,6 +184,20 @@ Error Table::error(std::string_view key, std::string_view what, std::string_view
 Error Table::error(std::string_view key, std::size_t element, std::string_view what,
                    std::string_view cure) const {
   return state_->document->error(nearest_node(*state_, key, element), what, cure);
+}
+
+Error Table::error_in_string(std::string_view key, std::size_t byte, std::string_view what,
+                             std::string_view cure) const {
+  const toml::node& node = *state_->toml->get(key);
+  const std::string_view text = *node.value<std::string_view>();
+  const std::size_t before = characters(text.substr(0, byte));
+  toml::source_region source = node.source();
+  const bool plain = source.path == nullptr && source.begin.line == source.end.line &&
+                     source.end.column - source.begin.column == characters(text) + 2;  // with the quotes
+  if (!plain)
+    return state_->document->error(node, fmt::format("at character {}: {}", before + 1, what), cure);
+  source.begin.column += toml::source_index(before + 1);
+  return {place_text(state_->document->name, source), std::string(what), std::string(cure)};
 }
 
 }  // namespace scree::document

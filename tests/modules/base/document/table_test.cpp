@@ -74,3 +74,17 @@ TEST_CASE("errors of the builder are placed") {
   CHECK(root.place("a") == "scene.toml:1:5");
   CHECK(root.place() == "scene.toml:1:1");
 }
+
+TEST_CASE("an error may be placed inside a string, where it is written as it is read") {
+  const Document document =
+      document_of("a = 'xyz'\nb = \"\u00b5\u00e9yz\"\nc = \"\\u0061yz\"\nd = \"\"\"\nxyz\"\"\"\n");
+  const Table root = document.root();
+  const auto place = [&](const char* key, std::size_t byte) {
+    return std::string(root.error_in_string(key, byte, "what", "cure").what());
+  };
+  CHECK(place("a", 0) == "scene.toml:1:6: what; cure");
+  CHECK(place("a", 3) == "scene.toml:1:9: what; cure");
+  CHECK(place("b", 4) == "scene.toml:2:8: what; cure");  // two letters of two bytes
+  CHECK(place("c", 1) == "scene.toml:3:5: at character 2: what; cure");
+  CHECK(place("d", 2) == "scene.toml:4:5: at character 3: what; cure");
+}

@@ -116,6 +116,10 @@ class Table {
   Error error(std::string_view key, std::string_view what, std::string_view cure) const;
   // Placed at one element (from 0) of the array under key.
   Error error(std::string_view key, std::size_t element, std::string_view what, std::string_view cure) const;
+  // Placed at a byte of the string under key; at the string, with the number of the character, where the file
+  // writes it with escapes or in several lines.
+  Error error_in_string(std::string_view key, std::size_t byte, std::string_view what,
+                        std::string_view cure) const;
 
  private:
   std::shared_ptr<TableState> state_;
