@@ -1,9 +1,11 @@
 #include "output_keys.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include <fmt/format.h>
 
+#include <scree/files/text.hpp>
 #include <scree/scenario/charts.hpp>
 #include <scree/scenario/names.hpp>
 
@@ -11,10 +13,34 @@ namespace scree::scenario {
 
 namespace {
 
-const ProbeColumns& probe_named(const document::Table& t, const std::vector<ProbeColumns>& probes) {
+// The probe of a chart: as named, or as the first of its curves, "<probe>.<column>", says.
+const ProbeColumns& probe_of(const document::Table& t, const std::string& curve,
+                             const std::vector<ProbeColumns>& probes) {
   std::vector<std::string> names;
   for (const ProbeColumns& probe : probes) names.push_back(probe.probe);
-  return probes[find_name(t, "probe", "probe", read(t, chart_keys.probe), names)];
+  const std::size_t dot = curve.find('.');
+  if (t.optional(chart_keys.probe) || dot == curve.npos)
+    return probes[find_name(t, "probe", "probe", read(t, chart_keys.probe), names)];
+  return probes[find_name(t, "y", "probe", curve.substr(0, dot), names, 0)];
+}
+
+// The column that a key, or an element of its array, names: "<column>" or "<probe>.<column>".
+std::size_t find_column(const document::Table& t, const char* key, const std::string& text,
+                        const ProbeColumns& columns, const std::vector<ProbeColumns>& probes,
+                        std::size_t element = document::Table::whole) {
+  const std::vector<std::string>& names = columns.names;
+  const bool whole = std::find(names.begin(), names.end(), text) != names.end();
+  const std::size_t dot = whole ? text.npos : text.find('.');
+  const std::string probe = dot == text.npos ? columns.probe : text.substr(0, dot);
+  const auto is_probe = [&](const ProbeColumns& other) { return other.probe == probe; };
+  if (probe != columns.probe && std::any_of(probes.begin(), probes.end(), is_probe))
+    throw t.error(
+        key, element,
+        fmt::format("'{}' is a column of another probe than '{}'", files::one_line(text), columns.probe),
+        "define a quantity of each in [derived], and draw these");
+  const std::string column = probe == columns.probe && dot != text.npos ? text.substr(dot + 1) : text;
+  return find_name(t, key, "column", column, names,
+                   element == document::Table::whole ? std::nullopt : std::optional(element));
 }
 
 std::string as_words(std::string name) {
@@ -89,33 +115,33 @@ ProfilePlan read_profile(const document::Table& t, const ProbeColumns& columns, 
   return profile;
 }
 
-void read_profile_chart(const document::Table& t, const ProbeColumns& columns, ChartPlan& chart) {
+void read_profile_chart(const document::Table& t, const std::vector<ProbeColumns>& probes, ChartPlan& chart) {
   for (const char* key : {"x", "y"})
     if (t.has(key)) throw t.error(key, fmt::format("both profile and {} are given", key), "keep one of them");
   std::string unit;
-  chart.profile = read_profile(t, columns, unit);
+  chart.profile = read_profile(t, probe_of(t, "", probes), unit);
   set_axis(t, chart_keys.x_label, "bin", read(t, chart_keys.profile_unit), chart.x_label, chart.x_unit);
   set_axis(t, chart_keys.y_label, as_words(read(t, chart_keys.profile)), unit, chart.y_label, chart.y_unit);
 }
 
-void read_curves(const document::Table& t, const ProbeColumns& columns, ChartPlan& chart) {
+void read_curves(const document::Table& t, const std::vector<ProbeColumns>& probes, ChartPlan& chart) {
   for (const Key& key :
        {chart_keys.profile_range, Key(chart_keys.profile_unit), Key(chart_keys.profile_curves)})
     if (t.has(key))
       throw t.error(key, fmt::format("{} needs profile, which is not given", key.name),
                     "add profile, or remove it");
-  const std::string x = read(t, chart_keys.x);
-  const std::size_t x_at = find_name(t, "x", "column", x, columns.names);
   const bool several = t.is_array(chart_keys.y);
   const std::vector<std::string> ys = several ? t.strings(chart_keys.y) : std::vector{t.string(chart_keys.y)};
   if (ys.empty()) throw t.error("y", "'y' has no columns", "give one or more columns of the probe");
+  const ProbeColumns& columns = probe_of(t, ys[0], probes);
+  const std::size_t x_at = find_column(t, "x", read(t, chart_keys.x), columns, probes);
+  const std::string x = columns.names[x_at];
   std::vector<std::size_t> at;
-  for (std::size_t k = 0; k < ys.size(); ++k)
-    at.push_back(find_name(t, "y", "column", ys[k], columns.names, k));
+  for (std::size_t k = 0; k < ys.size(); ++k) at.push_back(find_column(t, "y", ys[k], columns, probes, k));
   const std::string y_unit = add_curves(columns, at, x, chart);
   set_axis(t, chart_keys.x_label, as_words(x), columns.units[x_at], chart.x_label, chart.x_unit);
   // The names of several curves are in the legend.
-  const std::string y_words = ys.size() == 1 ? as_words(ys[0]) : quantity_of(y_unit);
+  const std::string y_words = ys.size() == 1 ? as_words(columns.names[at[0]]) : quantity_of(y_unit);
   set_axis(t, chart_keys.y_label, y_words, y_unit, chart.y_label, chart.y_unit);
 }
 
@@ -124,9 +150,8 @@ ChartPlan read_chart(const document::Table& t, const std::vector<ProbeColumns>& 
   chart.name = read(t, chart_keys.name);
   check_file_name(t, chart.name);
   chart.format = read(t, chart_keys.format);
-  const ProbeColumns& columns = probe_named(t, probes);
   chart.title = t.string(chart_keys.title, chart.name);
-  t.has(chart_keys.profile) ? read_profile_chart(t, columns, chart) : read_curves(t, columns, chart);
+  t.has(chart_keys.profile) ? read_profile_chart(t, probes, chart) : read_curves(t, probes, chart);
   chart.log_x = read(t, chart_keys.log_x);
   chart.log_y = read(t, chart_keys.log_y);
   return chart;

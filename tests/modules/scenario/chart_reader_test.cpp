@@ -84,4 +84,29 @@ TEST_CASE("a profile is a chart over the numbered columns of bins", "[scenario]"
   CHECK_THAT(refused("profile = 'fill'\ny = 'fill_1'\n"), Catch::Contains("both profile and y are given"));
   CHECK_THAT(refused("profile = 'fill'\nprofile_range = [1, 1]\n"), Catch::Contains("1 is not below 1"));
   CHECK_THAT(refused("y = 'fill_1'\nprofile_curves = 2\n"), Catch::Contains("profile_curves needs profile"));
+TEST_CASE("columns of a chart may name their probe, which is then the one of the chart", "[scenario]") {
+  const std::vector<ProbeColumns> two = {probes[0], {"box", {"time", "strain", "x.y"}, {"s", "", "m"}}};
+  const auto read = [&](const std::string& keys) {
+    return read_charts(document::Document::parse("[[chart]]\nname = 'c'\n" + keys, "scene.toml").root(), two);
+  };
+  const auto refused = [&](const std::string& keys) { return test::message([&] { read(keys); }); };
+  const ChartPlan chart = read("x = 'energy.force'\ny = ['energy.work', 'residual']").at(0);
+  CHECK(chart.x_label == "force");
+  CHECK(chart.curves.at(0).probe == "energy");
+  CHECK(chart.curves.at(0).x == "force");
+  CHECK(chart.curves.at(0).y == "work");
+  CHECK(chart.curves.at(1).y == "residual");
+  CHECK(read("y = 'box.strain'").at(0).y_label == "strain");
+  CHECK(read("probe = 'box'\ny = 'box.strain'").at(0).curves.at(0).y == "strain");
+  CHECK(read("probe = 'box'\ny = 'x.y'").at(0).curves.at(0).y == "x.y");
+  CHECK(read("y = 'box.x.y'").at(0).curves.at(0).y == "x.y");
+  CHECK(refused("y = 'work'").find("[[chart]] has no 'probe'") != std::string::npos);
+  CHECK(refused("y = 'eneergy.work'") == "scene.toml:3:5: no probe 'eneergy'; did you mean 'energy'?");
+  CHECK(refused("y = ['energy.wrk']") == "scene.toml:3:6: no column 'wrk'; did you mean 'work'?");
+  CHECK(
+      refused("x = 'box.strain'\ny = 'energy.work'") ==
+      "scene.toml:3:5: 'box.strain' is a column of another probe than 'energy'; define a quantity of each in "
+      "[derived], and draw these");
+  CHECK(refused("y = ['energy.work', 'box.strain']")
+            .starts_with("scene.toml:3:21: 'box.strain' is a column of"));
 }
