@@ -22,10 +22,28 @@ struct ProbeKeys : TableKeys {
                         "groups whose bodies these do not count");
 };
 
+struct DerivedKeys : TableKeys {
+  DerivedKeys()
+      : TableKeys(
+            "derived", "[derived]",
+            "columns computed from those of probes, series/derived.csv: <name> = \"<formula>\", as K0 = "
+            "\"box.stress_xx / box.stress_zz\", or <name> = { formula = \"...\", unit = \"Pa\" }") {}
+  StringKey formula = string(
+      "formula",
+      "numbers, pi, time, <probe>.<column>, derived.<name> of what stands above; + - * / ^ ( ); sqrt, abs, "
+      "exp, log, log10, sin, cos, tan, asin, acos, atan, min(a, b), max(a, b); 1/0 is inf, 0/0 nan; names "
+      "with other characters than letters, digits and _ stand in '...'");
+  StringKey unit = string("unit", "of the result", "default by those of the columns");
+  Key every =
+      other("every", "number", Range::positive("s"), "default the smallest of the probes that it reads",
+            "time between samples; the series has the smallest of its quantities");
+};
+
 struct ChartKeys : TableKeys {
   ChartKeys() : TableKeys("chart", "[[chart]]", "curves of columns of a probe, charts/<name>.<format>") {}
   StringKey name = string("name", "of the file");
-  StringKey probe = string("probe", "name of a [[probe]]");
+  StringKey probe =
+      string("probe", "name of a [[probe]], or derived", "required unless y is <probe>.<column>");
   StringKey x = string("x", "time", "column", "default \"time\"");
   Key y = other("y", "text or [text, ...]", Range::any(), "this or profile", "columns, a curve each");
   StringKey profile =
@@ -127,6 +145,7 @@ struct ExpectKeys : TableKeys {
 };
 
 inline const ProbeKeys probe_keys;
+inline const DerivedKeys derived_keys;
 inline const ChartKeys chart_keys;
 inline const SnapshotKeys snapshot_keys;
 inline const CutKeys cut_keys;

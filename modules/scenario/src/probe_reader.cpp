@@ -1,4 +1,5 @@
 #include "output_keys.hpp"
+#include "probe_drafts.hpp"
 #include "readers.hpp"
 
 #include <algorithm>
@@ -13,19 +14,6 @@ namespace scree::scenario {
 
 namespace {
 
-// A key that names a column of another probe.
-struct InputKey {
-  std::string key, column;
-  std::size_t probe;  // in the order of the file
-};
-
-// A [[probe]] while it is read.
-struct ProbeDraft {
-  document::Table table;
-  ProbePlan plan;
-  std::vector<InputKey> inputs;
-};
-
 ProbeDraft read_name(const document::Table& t, PluginHost& host) {
   ProbePlan plan{.name = "",
                  .parameters = Parameters(find_plugin(t, SCREE_PROBE, host)),
@@ -33,7 +21,7 @@ ProbeDraft read_name(const document::Table& t, PluginHost& host) {
                  .place = t.place("plugin")};
   plan.name = t.string(probe_keys.name, plan.parameters.plugin().name);
   check_file_name(t, plan.name);
-  return {t, std::move(plan), {}};
+  return {t, std::move(plan)};
 }
 
 InputKey read_input(const ProbeDraft& draft, const std::string& key, const std::vector<std::string>& names) {
@@ -51,6 +39,7 @@ InputKey read_input(const ProbeDraft& draft, const std::string& key, const std::
 }
 
 void find_inputs(ProbeDraft& draft, const std::vector<std::string>& names) {
+  if (!draft.quantities.empty()) return find_derived_inputs(draft, names);
   const scree_plugin& plugin = draft.plan.parameters.plugin();
   for (std::uint32_t k = 0; k < plugin.parameter_count; ++k)
     if (const scree_parameter& p = plugin.parameters[k]; p.type == SCREE_INPUT && draft.table.optional(p.key))
@@ -93,11 +82,12 @@ std::vector<std::size_t> reading_order(const std::vector<ProbeDraft>& drafts) {
 }
 
 // A column has a value only while its probe records.
-void check_stages(const ProbeDraft& reader, const InputKey& input, const ProbePlan& read,
+void check_stages(const ProbeDraft& reader, const InputKey& input, const ProbePlan& read, std::size_t column,
                   const std::vector<std::string>& all) {
   const std::vector<std::string>& stages = reader.plan.stages.empty() ? all : reader.plan.stages;
+  const std::vector<std::string>& recorded = read.stages_of(column);
   for (const std::string& stage : stages)
-    if (!read.stages.empty() && std::find(read.stages.begin(), read.stages.end(), stage) == read.stages.end())
+    if (!recorded.empty() && std::find(recorded.begin(), recorded.end(), stage) == recorded.end())
       throw reader.table.error(input.key,
                                fmt::format("the probe '{}' does not record in stage '{}', in which '{}' does",
                                            read.name, files::one_line(stage), reader.plan.name),
@@ -108,9 +98,9 @@ void take_inputs(ProbeDraft& draft, const std::vector<ProbeDraft>& drafts, int d
                  const std::vector<std::string>& stages) {
   for (const InputKey& input : draft.inputs) {
     const ProbePlan& read = drafts[input.probe].plan;
-    check_stages(draft, input, read, stages);
     const Probe read_from = configured(read, dimension);
     const std::size_t column = find_name(draft.table, input.key, "column", input.column, read_from.names());
+    check_stages(draft, input, read, column, stages);
     draft.plan.parameters.set_input(input.key, read.name + "." + input.column, read_from.units()[column]);
     draft.plan.inputs.push_back({input.probe, column});
     draft.plan.depth = std::max(draft.plan.depth, read.depth + 1);
@@ -142,6 +132,7 @@ void read_observation(const document::Table& t, const Probe& probe, const Scene&
 
 void read_probe(ProbeDraft& draft, const std::vector<ProbeDraft>& drafts, const Scene& scene,
                 const std::vector<std::string>& stages) {
+  if (!draft.quantities.empty()) return read_derived_probe(draft, drafts, scene, stages);
   const document::Table& t = draft.table;
   ProbePlan& plan = draft.plan;
   read_parameters(t, scene.dimension, plan.parameters);
@@ -183,6 +174,15 @@ std::vector<ProbePlan> read_probes(const document::Table& root, const Scene& sce
     drafts.push_back(read_name(t, host));
     names.push_back(drafts.back().plan.name);
     unique.add(t, names.back());
+  }
+  if (auto derived = read_derived(root)) {
+    const std::string& name = derived->plan.name;
+    if (const auto same = std::find(names.begin(), names.end(), name); same != names.end())
+      throw drafts[std::size_t(same - names.begin())].table.error(
+          "name", fmt::format("the probe has the name '{}' of the series of [derived]", name),
+          "give it another name");
+    names.push_back(name);
+    drafts.push_back(std::move(*derived));
   }
   for (ProbeDraft& draft : drafts) find_inputs(draft, names);
   for (const std::size_t k : reading_order(drafts)) read_probe(drafts[k], drafts, scene, stage_names);

@@ -65,9 +65,9 @@ Condition read_column(const std::string& name, const document::Table& t) {
   return c;
 }
 
-bool records_in(const ProbePlan& probe, const std::string& stage) {
-  return probe.stages.empty() ||
-         std::find(probe.stages.begin(), probe.stages.end(), stage) != probe.stages.end();
+bool records_in(const ProbePlan& probe, std::size_t column, const std::string& stage) {
+  const std::vector<std::string>& stages = probe.stages_of(column);
+  return stages.empty() || std::find(stages.begin(), stages.end(), stage) != stages.end();
 }
 
 void find_column(const document::Table& until, const std::string& key, const std::vector<ProbePlan>& probes,
@@ -87,11 +87,14 @@ void find_column(const document::Table& until, const std::string& key, const std
   if (c.column == 0)
     throw until.error(key, "time is no condition of a stage", "give duration, at_least or at_most");
   --c.column;  // of the row, which has no time
-  if (!records_in(probe, stage.name))
-    throw until.error(
-        key,
-        fmt::format("the probe '{}' does not record in stage '{}'", probe.name, files::one_line(stage.name)),
-        "add the stage to its 'stages', or leave these out");
+  if (!records_in(probe, c.column, stage.name))
+    throw until.error(key,
+                      probe.stages_of_columns.empty()
+                          ? fmt::format("the probe '{}' does not record in stage '{}'", probe.name,
+                                        files::one_line(stage.name))
+                          : fmt::format("a probe that '{}' reads does not record in stage '{}'", c.name,
+                                        files::one_line(stage.name)),
+                      "add the stage to its 'stages', or leave these out");
   if (c.steady && c.over < probe.every)
     throw until.error(key,
                       fmt::format("over = {:g} s is shorter than the {:g} s between samples of '{}'", c.over,

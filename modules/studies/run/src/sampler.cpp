@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -91,10 +92,10 @@ std::uint64_t Sampler::take(const Simulation& simulation, const std::string& sta
     Active& p = probes_[k];
     if (!p.records_in(stage)) continue;
     if (p.is_observed(simulation, steps)) {
-      p.probe.observe(view.get(), inputs_of(p, view.get()));
+      p.probe.observe(view.get(), inputs_of(p, view.get(), stage));
       p.observed = simulation.steps();
     }
-    if (p.is_due_at(simulation, steps)) sample(p, view.get());
+    if (p.is_due_at(simulation, steps)) sample(p, view.get(), stage);
   }
   return next;
 }
@@ -114,7 +115,7 @@ void Sampler::sample_last(const Simulation& simulation, const std::string& stage
   const SimulationView view(simulation, needs, end_time_);
   forget_rows();
   for (Active& p : probes_)
-    if (p.records_in(stage)) sample(p, view.get());
+    if (p.records_in(stage)) sample(p, view.get(), stage);
 }
 
 std::optional<double> Sampler::value(std::size_t probe, std::size_t column) const {
@@ -122,15 +123,15 @@ std::optional<double> Sampler::value(std::size_t probe, std::size_t column) cons
   return p.sampled == taken_step_ && !p.row.empty() ? std::optional(p.row[column]) : std::nullopt;
 }
 
-void Sampler::sample(Active& p, const scree_view& view) {
+void Sampler::sample(Active& p, const scree_view& view, const std::string& stage) {
   p.sampled = view.step;
   if (!p.series) {
-    row(p, view);
+    row(p, view, stage);
     return;
   }
   // The last row of a stage is also the first of the next stage.
   if (p.series->rows() > 0 && p.series->last_time() == view.time) return;
-  const std::vector<double>& values = row(p, view);
+  const std::vector<double>& values = row(p, view, stage);
   if (p.probe.observes()) p.last = values;
   p.series->add(view.time, values);
 }
@@ -150,8 +151,8 @@ std::vector<std::string> Sampler::unfilled() const {
   return lines;
 }
 
-const std::vector<double>& Sampler::row(Active& p, const scree_view& view) {
-  if (p.row.empty()) p.row = p.probe.sample(view, inputs_of(p, view));
+const std::vector<double>& Sampler::row(Active& p, const scree_view& view, const std::string& stage) {
+  if (p.row.empty()) p.row = p.probe.sample(view, inputs_of(p, view, stage));
   return p.row;
 }
 
@@ -159,10 +160,14 @@ void Sampler::forget_rows() {
   for (Active& p : probes_) p.row.clear();
 }
 
-std::vector<double> Sampler::inputs_of(const Active& p, const scree_view& view) {
+std::vector<double> Sampler::inputs_of(const Active& p, const scree_view& view, const std::string& stage) {
   std::vector<double> values;
-  for (const scenario::ProbeInput& input : p.plan->inputs)
-    values.push_back(row(probes_[input.probe], view)[input.column]);
+  for (const scenario::ProbeInput& input : p.plan->inputs) {
+    Active& read = probes_[input.probe];
+    // A probe starts with the first stage in which it records.
+    values.push_back(read.records_in(stage) ? row(read, view, stage)[input.column]
+                                            : std::numeric_limits<double>::quiet_NaN());
+  }
   return values;
 }
 

@@ -82,11 +82,12 @@ class Sampler : public StageColumns {
     std::uint64_t next(double step, std::uint64_t steps) const;
   };
   void put_in_order();
-  void sample(Active& probe, const scree_view& view);
+  void sample(Active& probe, const scree_view& view, const std::string& stage);
   // The row of the probe at the time of the view, computed once.
-  const std::vector<double>& row(Active& probe, const scree_view& view);
+  const std::vector<double>& row(Active& probe, const scree_view& view, const std::string& stage);
   void forget_rows();
-  std::vector<double> inputs_of(const Active& probe, const scree_view& view);
+  // NaN of probes that do not record in the stage.
+  std::vector<double> inputs_of(const Active& probe, const scree_view& view, const std::string& stage);
 
   std::vector<Active> probes_;
   std::vector<std::size_t> order_;  // of probes_, each after those whose columns it reads

@@ -102,3 +102,20 @@ TEST_CASE("a series that is not as the run wrote it is told, not read", "[campai
              Catch::Contains("energy.csv:2:1: time 'zero' is not a number; run the campaign"));
   CHECK_THAT(told("\n"), Catch::Contains("there is no header; run the campaign"));
 }
+
+TEST_CASE("a campaign collects derived quantities, and may change their formulas", "[campaign]") {
+  const std::string scene = test::discs + std::string("[derived]\na = 'energy.kinetic_translation'\n");
+  const CampaignFolder folder(
+      "collect = ['derived.a.last']\n[set]\nderived.a = ['0 * energy.work + 3', '0 * energy.work + 4']\n",
+      scene);
+  const Campaign c = folder.read();
+  REQUIRE(c.points.size() == 2);
+  const auto out = folder.folder() / "out";
+  for (std::size_t k = 0; k < 2; ++k) {
+    make_run(c, k, out);
+    CHECK(number(outcome_of(c, k, out), "derived.a.last") == 3 + double(k));
+  }
+  CHECK(CampaignFolder("collect = ['derived.b.last']\n", scene)
+            .refusal()
+            .find("no quantity 'derived.b.last'; did you mean 'derived.a.last'?") != std::string::npos);
+}

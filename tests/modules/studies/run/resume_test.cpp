@@ -343,3 +343,15 @@ TEST_CASE("a run that is resumed in the middle of a record measures the same bit
   for (std::size_t k = 0; k < 4; ++k) CHECK(resumed.verdicts[k].value == whole.verdicts[k].value);
   CHECK(resumed.verdicts[2].value == 750);
 }
+
+TEST_CASE("a run with derived quantities goes on to the same bits", "[run]") {
+  const std::string text =
+      std::string(discs) +
+      "[derived]\np = 'energy.kinetic_translation / 3'\nq = 'atan(derived.p) ^ 2 * time'\n";
+  const Bench whole(text), halves(with(text, "duration = 1e-4", "duration = 5e-5"));
+  whole.run();
+  halves.run();
+  resume(halves, {}, 1e-4);
+  CHECK(series_of(halves, "derived") == series_of(whole, "derived"));
+  CHECK(series_of(whole, "derived").starts_with("time [s],p [J],q [rad^2 s]\n"));
+}

@@ -47,11 +47,17 @@ struct ProbePlan {
   Parameters parameters;
   double every = 0;                          // (s) between samples, rounded to whole steps when it runs
   std::optional<double> observe_every = {};  // (s) likewise, between observations; absent: every step
-  std::vector<ProbeInput> inputs = {};       // in the order of Parameters::inputs()
+  std::vector<ProbeInput> inputs = {};       // as the plug-in numbers them
   std::size_t depth = 0;                     // greater than the depth of each probe of its inputs
   std::vector<std::uint8_t> left_out = {};   // 1 for bodies that it does not count; empty: it counts all
   std::vector<std::string> stages;           // stages in which it records; all if empty
   std::string place;                         // file:line:column, for messages
+  // Of [derived], for each column: stages in which it has values, NaN in others; all if empty.
+  std::vector<std::vector<std::string>> stages_of_columns = {};
+
+  const std::vector<std::string>& stages_of(std::size_t column) const {
+    return stages_of_columns.empty() ? stages : stages_of_columns[column];
+  }
 };
 
 // The probe that a plan describes.
