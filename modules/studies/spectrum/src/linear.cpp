@@ -205,7 +205,7 @@ void check_response(const Start& start) {
 void check_linear(const Start& start) {
   const scenario::Plan& plan = start.plan;
   for (const ObservedColumn& column : start.spectrum.observed)
-    if (!is_of_motion(plan.probes[column.probe], plan.scene.dimension))
+    if (!is_of_motion(plan, column.probe))
       throw Error(fmt::format(
           "{}: '{}' is of a probe that reads contacts or energies, which has no linear response; observe positions, "
           "such as a strain, or leave the method linear out",

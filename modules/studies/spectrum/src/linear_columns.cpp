@@ -130,10 +130,12 @@ std::vector<Complex> LinearColumns::difference(const response::HarmonicResponse&
   return sum;
 }
 
-bool is_of_motion(const scenario::ProbePlan& plan, int dimension) {
-  const Probe probe(plan.parameters, dimension);
-  return !probe.observes() && plan.inputs.empty() &&
-         !(probe.needs() & (SCREE_NEEDS_CONTACTS | SCREE_NEEDS_ENERGY));
+bool is_of_motion(const scenario::Plan& plan, std::size_t number) {
+  const Probe probe(plan.probes[number].parameters, plan.scene.dimension);
+  const std::vector<scenario::ProbeInput>& inputs = plan.probes[number].inputs;
+  return !probe.observes() && !(probe.needs() & (SCREE_NEEDS_CONTACTS | SCREE_NEEDS_ENERGY)) &&
+         std::all_of(inputs.begin(), inputs.end(),
+                     [&](const scenario::ProbeInput& input) { return is_of_motion(plan, input.probe); });
 }
 
 std::vector<std::string> responding_columns(const scenario::Plan& plan, const Simulation& simulation,
@@ -142,7 +144,7 @@ std::vector<std::string> responding_columns(const scenario::Plan& plan, const Si
                                             const response::HarmonicResponse& motion) {
   std::vector<std::string> names;
   for (std::size_t p = 0; p < plan.probes.size(); ++p) {
-    if (!is_of_motion(plan.probes[p], plan.scene.dimension)) continue;
+    if (!is_of_motion(plan, p)) continue;
     const std::vector<ObservedColumn> all = all_of(plan, p);
     try {
       const auto [derivatives, change] =

@@ -73,8 +73,9 @@ class LinearColumns {
   Eigen::VectorXd radius_;  // (m) of the bodies whose rotations are degrees of freedom, and 1 elsewhere
 };
 
-// Whether the columns of a probe may follow from positions and velocities of bodies and walls alone.
-bool is_of_motion(const scenario::ProbePlan& probe, int dimension);
+// Whether the columns of a probe, by its number, may follow from positions and velocities of bodies and walls
+// alone.
+bool is_of_motion(const scenario::Plan& plan, std::size_t number);
 
 // Columns of all probes of the plan that change along a motion. walls: displacement of each wall (m).
 std::vector<std::string> responding_columns(const scenario::Plan& plan, const Simulation& simulation,

@@ -11,11 +11,19 @@ namespace scree::spectrum {
 
 Observer::Observer(const scenario::Plan& plan, std::vector<ObservedColumn> observed)
     : plan_(plan), observed_(std::move(observed)), values_(observed_.size()) {
-  for (const ObservedColumn& column : observed_)
-    if (std::none_of(probes_.begin(), probes_.end(),
-                     [&](const Watched& w) { return w.number == column.probe; }))
-      probes_.push_back(
-          {column.probe, scenario::configured(plan.probes[column.probe], plan.scene.dimension)});
+  for (const ObservedColumn& column : observed_) watch(column.probe);
+}
+
+Observer::Watched& Observer::watched(std::size_t probe) {
+  return *std::find_if(probes_.begin(), probes_.end(), [&](const Watched& w) { return w.number == probe; });
+}
+
+void Observer::watch(std::size_t probe) {
+  if (std::any_of(probes_.begin(), probes_.end(), [&](const Watched& w) { return w.number == probe; }))
+    return;
+  const scenario::ProbePlan& plan = plan_.probes[probe];
+  for (const scenario::ProbeInput& input : plan.inputs) watch(input.probe);
+  probes_.push_back({probe, scenario::configured(plan, plan_.scene.dimension), {}});
 }
 
 std::uint32_t Observer::needs() const {
@@ -26,16 +34,18 @@ std::uint32_t Observer::needs() const {
 
 const std::vector<double>& Observer::values(const scree_view& view) {
   for (Watched& watched : probes_) {
-    const std::vector<double> row = [&] {
-      try {
-        return watched.probe.sample(view);
-      } catch (const Error& error) {
-        throw error.at(plan_.probes[watched.number].place);
-      }
-    }();
+    const scenario::ProbePlan& plan = plan_.probes[watched.number];
+    std::vector<double> inputs;
+    for (const scenario::ProbeInput& input : plan.inputs)
+      inputs.push_back(this->watched(input.probe).row[input.column]);
+    try {
+      watched.row = watched.probe.sample(view, inputs);
+    } catch (const Error& error) {
+      throw error.at(plan.place);
+    }
     for (std::size_t c = 0; c < values_.size(); ++c)
       if (const ObservedColumn& column = observed_[c]; column.probe == watched.number)
-        values_[c] = row[column.column];
+        values_[c] = watched.row[column.column];
   }
   return values_;
 }

@@ -27,10 +27,15 @@ class Observer {
   struct Watched {
     std::size_t number;  // of the plan's probe
     Probe probe;
+    std::vector<double> row;  // of the last view
   };
+  Watched& watched(std::size_t probe);
+  // Adds a probe behind those whose columns it reads.
+  void watch(std::size_t probe);
+
   const scenario::Plan& plan_;
   std::vector<ObservedColumn> observed_;
-  std::vector<Watched> probes_;
+  std::vector<Watched> probes_;  // each after those whose columns it reads
   std::vector<double> values_;
 };
 

@@ -41,6 +41,33 @@ TEST_CASE("columns of energies and contacts are none of motion alone", "[spectru
   const scenario::Plan plan = driven_plan_of(Chain().text("from_hz = 20\nto_hz = 160\nstep_hz = 20\n") +
                                              "[[probe]]\nplugin = 'energy'\n" + Chain::layers);
   REQUIRE(plan.probes.size() == 3);
-  CHECK(is_of_motion(plan.probes[0], 3));
-  CHECK_FALSE(is_of_motion(plan.probes[1], 3));
+  CHECK(is_of_motion(plan, 0));
+  CHECK_FALSE(is_of_motion(plan, 1));
+}
+
+TEST_CASE("derived columns of positions follow the motion, those of what observes the run are refused",
+          "[spectrum]") {
+  const std::string text = with(Chain().text("from_hz = 20\nto_hz = 160\nstep_hz = 20\n"),
+                                "'particles.z_1', 'particles.z_8'", "'derived.stretch', 'particles.z_8'");
+  const std::string stretch = "[derived]\nstretch = '3 * (particles.z_8 - particles.z_1)'\n";
+  const scenario::Plan plan = driven_plan_of(text + stretch);
+  CHECK(is_of_motion(plan, 1));
+  const auto spectrum = read_spectrum(plan);
+  const auto simulation = run::set_up(plan);
+  const std::vector<Vec3> walls = {Vec3{{0, 0, 1}}};
+  const HarmonicMotion motion = harmonic_motion(*simulation, walls, {60}, {.fewest_contacts = 1}, {});
+  LinearColumns columns(plan, spectrum->observed, *simulation, walls, motion.freedom, 0);
+  const auto derivatives = columns.along(motion.responses[0]).first;
+  const auto bead = [&](std::size_t k) {
+    return motion.responses[0].amplitude[motion.freedom.translation(k, 2)];
+  };
+  // As above.
+  CHECK(std::abs(derivatives[0] - 3.0 * (bead(7) - bead(0))) < 3e-9 * std::abs(bead(7)));
+  CHECK_FALSE(is_of_motion(
+      driven_plan_of(text + with(stretch, "3 *", "energy.work *") + "[[probe]]\nplugin = 'energy'\n"), 2));
+  CHECK(message([&] {
+          driven_plan_of(
+              text + with(stretch, "3 *", "lock_in.mean *") +
+              "[[probe]]\nplugin = 'lock_in'\nof = 'particles.z_8'\nfrequency_hz = 10\nperiods = 3\n");
+        }).find("'derived.stretch' depends on all steps, not on the present state") != std::string::npos);
 }

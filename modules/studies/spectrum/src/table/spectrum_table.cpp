@@ -133,6 +133,14 @@ void read_shape(const document::Table& t, const Plan& plan, SpectrumPlan& spectr
         "give a probe such as profile, with three bins or more");
 }
 
+// Whether a probe, or one whose columns it reads, observes the run.
+bool observes_run(const Plan& plan, std::size_t probe) {
+  const std::vector<scenario::ProbeInput>& inputs = plan.probes[probe].inputs;
+  return Probe(plan.probes[probe].parameters, plan.scene.dimension).observes() ||
+         std::any_of(inputs.begin(), inputs.end(),
+                     [&](const scenario::ProbeInput& input) { return observes_run(plan, input.probe); });
+}
+
 void read_observed(const document::Table& t, const Plan& plan, SpectrumPlan& spectrum) {
   const std::vector<ObservedColumn> all = all_columns(plan);
   std::vector<std::string> names, observed;
@@ -147,7 +155,7 @@ void read_observed(const document::Table& t, const Plan& plan, SpectrumPlan& spe
     if (std::find(observed.begin(), observed.end(), column.name) != observed.end())
       throw t.error(spectrum_keys.observe, k, fmt::format("'{}' stands here twice", column.name),
                     "remove one");
-    if (Probe(plan.probes[column.probe].parameters, plan.scene.dimension).observes())
+    if (observes_run(plan, column.probe))
       throw t.error(spectrum_keys.observe, k,
                     fmt::format("'{}' depends on all steps, not on the present state", column.name),
                     "observe a column of a probe such as strain, layer or particles");
