@@ -84,6 +84,8 @@ TEST_CASE("a profile is a chart over the numbered columns of bins", "[scenario]"
   CHECK_THAT(refused("profile = 'fill'\ny = 'fill_1'\n"), Catch::Contains("both profile and y are given"));
   CHECK_THAT(refused("profile = 'fill'\nprofile_range = [1, 1]\n"), Catch::Contains("1 is not below 1"));
   CHECK_THAT(refused("y = 'fill_1'\nprofile_curves = 2\n"), Catch::Contains("profile_curves needs profile"));
+}
+
 TEST_CASE("columns of a chart may name their probe, which is then the one of the chart", "[scenario]") {
   const std::vector<ProbeColumns> two = {probes[0], {"box", {"time", "strain", "x.y"}, {"s", "", "m"}}};
   const auto read = [&](const std::string& keys) {
