@@ -26,8 +26,8 @@ struct DerivedKeys : TableKeys {
   DerivedKeys()
       : TableKeys(
             "derived", "[derived]",
-            "columns computed from those of probes, series/derived.csv: <name> = \"<formula>\", as K0 = "
-            "\"box.stress_xx / box.stress_zz\", or <name> = { formula = \"...\", unit = \"Pa\" }") {}
+            "formulas of columns: K0 = \"box.stress_xx / box.stress_zz\", or K0 = a table of these keys; "
+            "series/derived.csv") {}
   StringKey formula = string(
       "formula",
       "numbers, pi, time, <probe>.<column>, derived.<name> of what stands above; + - * / ^ ( ); sqrt, abs, "
