@@ -40,12 +40,16 @@ State with_room_for_forces(State state, const Scene& scene) {
   return state;
 }
 
+// The simulation of a state, with the forces that it has or with room for others.
+std::unique_ptr<Simulation> simulation_with_room(const State& state, const scenario::Plan& plan) {
+  const State whole = state.has(rows_of_forces) ? state : with_room_for_forces(state, plan.scene);
+  return resumed(plan, whole, StateTransfer::restoring_from(whole).below("run/stages"), 1);
+}
+
 EvaluatedState evaluated(const State& state, const std::filesystem::path& file, PluginHost& host) {
   const scenario::Plan plan = plan_of(state, file, host);
   const bool has_forces = state.has(rows_of_forces);
-  const State whole = has_forces ? state : with_room_for_forces(state, plan.scene);
-  const StateTransfer stages = StateTransfer::restoring_from(whole).below("run/stages");
-  const std::unique_ptr<Simulation> simulation = resumed(plan, whole, stages, 1);
+  const std::unique_ptr<Simulation> simulation = simulation_with_room(state, plan);
   const auto frame = [&] { return frame_of(*simulation, plan.title, scene_box(*simulation)); };
   EvaluatedState result = {frame(), has_forces};
   if (has_forces) return result;
@@ -61,6 +65,15 @@ EvaluatedState evaluated(const State& state, const std::filesystem::path& file, 
 
 EvaluatedState evaluated_state(const State& state, const std::filesystem::path& file, PluginHost& host) {
   return with_state_of(file.string(), [&] { return evaluated(state, file, host); });
+}
+
+std::unique_ptr<Simulation> evaluated_simulation(const State& state, const std::filesystem::path& file,
+                                                 PluginHost& host) {
+  return with_state_of(file.string(), [&] {
+    std::unique_ptr<Simulation> simulation = simulation_with_room(state, plan_of(state, file, host));
+    simulation->apply_reconfiguration();
+    return simulation;
+  });
 }
 
 }  // namespace scree::run

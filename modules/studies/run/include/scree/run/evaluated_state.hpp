@@ -7,6 +7,7 @@
 
 #include <scree/pictures/frame.hpp>
 #include <scree/plugin_host.hpp>
+#include <scree/simulation.hpp>
 #include <scree/state.hpp>
 
 namespace scree::run {
@@ -22,5 +23,11 @@ struct EvaluatedState {
 // a contact that begins in it. file: of the state, for messages. Throws Error if it is not the state of a
 // run, or its plug-ins are missing.
 EvaluatedState evaluated_state(const State& state, const std::filesystem::path& file, PluginHost& host);
+
+// The simulation of the state of a run, from which a step may be taken. All forces are evaluated at the
+// positions, velocities and springs of the state, also those that the state has: forces of contacts, walls and
+// bodies then belong to one time. Throws Error as evaluated_state().
+std::unique_ptr<Simulation> evaluated_simulation(const State& state, const std::filesystem::path& file,
+                                                 PluginHost& host);
 
 }  // namespace scree::run

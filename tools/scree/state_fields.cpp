@@ -1,0 +1,156 @@
+#include "state_fields.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+
+#include <scree/counted.hpp>
+#include <scree/error.hpp>
+#include <scree/fields/balance.hpp>
+#include <scree/fields/field_files.hpp>
+#include <scree/fields/field_sums.hpp>
+#include <scree/files/text_file.hpp>
+#include <scree/run/evaluated_state.hpp>
+#include <scree/state_file/state_file.hpp>
+
+namespace scree::tool {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_image(const fs::path& out) { return out.extension() == ".vti"; }
+
+fs::path numbered(const fs::path& out, std::size_t number) {
+  return out.parent_path() / fmt::format("{}_{:04}.vti", out.stem().string(), number);
+}
+
+// The files that will be written.
+std::vector<fs::path> files_of(const FieldsOptions& options) {
+  const bool many = !options.average && options.states.size() > 1;
+  if (!is_image(options.out) || !many) return {options.out};
+  std::vector<fs::path> files;
+  for (std::size_t k = 0; k < options.states.size(); ++k) files.push_back(numbered(options.out, k + 1));
+  files.push_back(fs::path(options.out).replace_extension(".pvd"));
+  return files;
+}
+
+void check_files(const FieldsOptions& options) {
+  if (options.out.extension() != ".csv" && !is_image(options.out))
+    throw Error(options.out.string(), "is neither .csv nor .vti", "give another --out");
+  for (const fs::path& file : files_of(options)) {
+    std::error_code failed;
+    const fs::file_status there = fs::symlink_status(file, failed);
+    if (!fs::exists(there)) continue;
+    if (!fs::is_regular_file(there))
+      throw Error(file.string(), "is not a regular file", "give another --out");
+    if (!options.overwrite)
+      throw Error(file.string(), "is there already", "give another --out, or --overwrite");
+  }
+}
+
+// The fields of the states that it is given, one after another, and their balances.
+class StateFields {
+ public:
+  StateFields(const FieldsOptions& options, PluginHost& host)
+      : options_(options), host_(host), threads_(options.threads, ThreadPool::IfTooFew::use_fewer) {}
+
+  void add(const fs::path& file) {
+    simulation_ = run::evaluated_simulation(state_file::read_state(file), file, host_);
+    fields::FieldInput input = fields::input_of(*simulation_);
+    if (!kernel_) choose_grid(input);
+    try {
+      add_to_sums(input);
+      if (last_)
+        mass_ =
+            std::max(mass_.value_or(0), mass_balance(*last_, input, grid_, *kernel_, threads_).relative());
+    } catch (const Error& error) {
+      throw error.at(file.string());
+    }
+    last_ = std::move(input);
+  }
+
+  void write() {
+    if (options_.average) finish_frame();
+    const std::vector<fs::path> files = files_of(options_);
+    if (!is_image(options_.out)) {
+      files::write_atomically(options_.out, fields::format_csv(grid_, frames_, comments()));
+    } else {
+      std::vector<fields::TimedFile> timed;
+      for (std::size_t k = 0; k < frames_.size(); ++k) {
+        files::write_atomically(files[k], fields::format_vti(grid_, frames_[k]));
+        timed.push_back({frames_[k].time, files[k].filename().string()});
+      }
+      if (frames_.size() > 1) files::write_atomically(files.back(), fields::format_pvd(timed));
+    }
+    fmt::print("{}: {}, {}{}, width {:g} m, spacing {:g} m\n", files.back().string(),
+               counted(grid_.size(), "point"), counted(options_.states.size(), "state"),
+               options_.average ? " averaged" : "", kernel_->width(), grid_.spacing[0]);
+  }
+
+  // What the balances leave open, over the largest term.
+  void print_balances() {
+    fmt::print("forces, net + div stress - traction - body forces - loads: {:.1e} of the largest term\n",
+               forces_);
+    if (mass_) fmt::print("mass from state to state: {:.1e}\n", *mass_);
+    const double h = simulation_->step_length();
+    simulation_->step();
+    const fields::FieldInput after = fields::input_after_step(*simulation_, *last_);
+    fmt::print("mass over a step of {:g} s from the last state: {:.1e}\n", h,
+               mass_balance(*last_, after, grid_, *kernel_, threads_).relative());
+    const Integration integration = simulation_->scene().integration;
+    if (integration == Integration::velocity_verlet)
+      fmt::print("momentum over that step: {:.1e}\n",
+                 momentum_balance(*last_, after, h, grid_, *kernel_, threads_).relative());
+    else
+      fmt::print("momentum over that step: exact for velocity_verlet only, not for {}\n",
+                 traits_of(integration).name);
+  }
+
+ private:
+  void choose_grid(const fields::FieldInput& input) {
+    const fields::GridRequest request = options_.request(input.dimension);
+    grid_ = grid_for(request, input);
+    kernel_.emplace(input.dimension, request.width > 0 ? request.width : fields::default_width(input));
+    sums_.emplace(grid_, *kernel_);
+  }
+  void add_to_sums(const fields::FieldInput& input) {
+    sums_->add(input, threads_);
+    if (!options_.average) finish_frame();
+  }
+  void finish_frame() {
+    frames_.push_back({sums_->mean_time(), sums_->means()});
+    forces_ = std::max(forces_, force_residual(frames_.back().points));
+    sums_.emplace(grid_, *kernel_);
+  }
+  std::vector<std::string> comments() const {
+    return {fmt::format("dimension: {}", grid_.dimension), fmt::format("width [m]: {}", kernel_->width()),
+            fmt::format("states: {}{}", options_.states.size(), options_.average ? ", averaged" : "")};
+  }
+
+  const FieldsOptions& options_;
+  PluginHost& host_;
+  ThreadPool threads_;
+  std::unique_ptr<Simulation> simulation_;
+  std::optional<fields::FieldInput> last_;
+  fields::FieldGrid grid_;
+  std::optional<fields::AveragingKernel> kernel_;
+  std::optional<fields::FieldSums> sums_;
+  std::vector<fields::FieldFrame> frames_;
+  double forces_ = 0;
+  std::optional<double> mass_;
+};
+
+}  // namespace
+
+void write_fields(const FieldsOptions& options, PluginHost& host) {
+  check_files(options);
+  StateFields all(options, host);
+  for (const fs::path& state : options.states) all.add(state);
+  all.write();
+  all.print_balances();
+}
+
+}  // namespace scree::tool
