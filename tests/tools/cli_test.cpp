@@ -6,8 +6,8 @@ using namespace scree::test;
 
 TEST_CASE("the help of each verb shows an example and every option", "[tools]") {
   const Workspace w;
-  for (const char* verb : {"run", "check", "describe", "render", "export", "campaign", "spectrum", "cycles",
-                           "modes", "quasi-static"}) {
+  for (const char* verb : {"run", "check", "describe", "render", "export", "fields", "campaign", "spectrum",
+                           "cycles", "modes", "quasi-static"}) {
     const Outcome help = w.scree(std::string(verb) + " --help");
     CHECK(help.status == 0);
     CHECK(help.err.empty());

@@ -58,7 +58,13 @@ class StateFields {
       : options_(options), host_(host), threads_(options.threads, ThreadPool::IfTooFew::use_fewer) {}
 
   void add(const fs::path& file) {
-    simulation_ = run::evaluated_simulation(state_file::read_state(file), file, host_);
+    run::EvaluatedSimulation state = run::evaluated_simulation(state_file::read_state(file), file, host_);
+    simulation_ = std::move(state.simulation);
+    if (!fields::forces_are_present(*simulation_)) {
+      state.has_forces = false;
+      simulation_->apply_reconfiguration();
+    }
+    evaluated_ += !state.has_forces;
     fields::FieldInput input = fields::input_of(*simulation_);
     if (!kernel_) choose_grid(input);
     try {
@@ -126,8 +132,13 @@ class StateFields {
     sums_.emplace(grid_, *kernel_);
   }
   std::vector<std::string> comments() const {
-    return {fmt::format("dimension: {}", grid_.dimension), fmt::format("width [m]: {}", kernel_->width()),
-            fmt::format("states: {}{}", options_.states.size(), options_.average ? ", averaged" : "")};
+    std::vector<std::string> lines = {
+        fmt::format("dimension: {}", grid_.dimension), fmt::format("width [m]: {}", kernel_->width()),
+        fmt::format("states: {}{}", options_.states.size(), options_.average ? ", averaged" : "")};
+    if (evaluated_ > 0)
+      lines.push_back(fmt::format("forces: of {} evaluated from positions, velocities and springs",
+                                  counted(evaluated_, "state")));
+    return lines;
   }
 
   const FieldsOptions& options_;
@@ -140,6 +151,7 @@ class StateFields {
   std::optional<fields::FieldSums> sums_;
   std::vector<fields::FieldFrame> frames_;
   double forces_ = 0;
+  std::size_t evaluated_ = 0;  // states whose forces are not those of the run
   std::optional<double> mass_;
 };
 

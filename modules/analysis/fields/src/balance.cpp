@@ -13,15 +13,6 @@ constexpr std::size_t balance_slabs_per_thread = 4;
 
 double largest_of(const Vec3& v) { return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}); }
 
-// The straight path of a body, as if it crossed no periodic face.
-Vec3 path_of(const FieldBody& from, const FieldBody& to, const Domain& domain) {
-  Vec3 path = to.position - from.position;
-  for (int k = 0; k < 3; ++k)
-    if (domain.periodic[std::size_t(k)])
-      path[k] += double(to.image[std::size_t(k)] - from.image[std::size_t(k)]) * domain.length(k);
-  return path;
-}
-
 void check_pair(const FieldInput& first, const FieldInput& second, const FieldGrid& grid) {
   check_input(grid, first);
   check_input(grid, second);
@@ -101,7 +92,7 @@ void add_body_terms(const FieldBody& before, const FieldBody& after, double step
   const double mass = after.mass;
   terms.add_at(after.position, mass * after.velocity);
   terms.add_at(before.position, -(mass * before.velocity));
-  terms.add_along(before.position, path_of(before, after, domain),
+  terms.add_along(before.position, path_between(before, after, domain),
                   0.5 * mass * (before.velocity + after.velocity));
   const Vec3 half_impulse = 0.5 * outer_impulse(before, after, step);
   terms.add_at(before.position, -half_impulse);
@@ -116,8 +107,8 @@ void add_contact_terms(const FieldContact& contact, const FieldInput& here, cons
   const bool wall = contact.b == FieldContact::wall;
   Vec3 other_line = contact.line;
   if (!wall)
-    other_line += path_of(a, other_a, here.domain) -
-                  path_of(here.bodies[contact.b], there.bodies[contact.b], here.domain);
+    other_line += path_between(a, other_a, here.domain) -
+                  path_between(here.bodies[contact.b], there.bodies[contact.b], here.domain);
   const Vec3 share = 0.25 * step * contact.force;
   const Vec3 start = a.position - contact.line, other_start = other_a.position - other_line;
   terms.add_along(start, contact.line, share);
@@ -128,6 +119,14 @@ void add_contact_terms(const FieldContact& contact, const FieldInput& here, cons
 }
 
 }  // namespace
+
+Vec3 path_between(const FieldBody& from, const FieldBody& to, const Domain& domain) {
+  Vec3 path = to.position - from.position;
+  for (int k = 0; k < 3; ++k)
+    if (domain.periodic[std::size_t(k)])
+      path[k] += double(to.image[std::size_t(k)] - from.image[std::size_t(k)]) * domain.length(k);
+  return path;
+}
 
 double Balance::relative() const {
   double most = 0;
@@ -143,7 +142,7 @@ Balance mass_balance(const FieldInput& first, const FieldInput& second, const Fi
       const FieldBody &before = first.bodies[i], &after = second.bodies[i];
       terms.add_at(after.position, {{after.mass, 0, 0}});
       terms.add_at(before.position, {{-before.mass, 0, 0}});
-      terms.add_along(before.position, path_of(before, after, first.domain), {{after.mass, 0, 0}});
+      terms.add_along(before.position, path_between(before, after, first.domain), {{after.mass, 0, 0}});
     }
   });
 }

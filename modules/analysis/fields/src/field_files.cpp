@@ -12,33 +12,25 @@ namespace {
 // A field as both kinds of files have it.
 struct FieldColumn {
   const char* name;
-  const char *unit, *unit_in_2d;
-  int rank;  // 0: number, 1: vector, 2: tensor
+  const char* unit;  // in 2D of discs of 1 m depth
+  int rank;          // 0: number, 1: vector, 2: tensor
   // Component of number, vector or tensor.
   double (*value)(const FieldPoint&, std::size_t);
 };
 
 constexpr FieldColumn field_columns[] = {
-    {"density", "kg/m^3", "kg/m^2", 0, [](const FieldPoint& p, std::size_t) { return p.density; }},
-    {"solid_fraction", "", "", 0, [](const FieldPoint& p, std::size_t) { return p.solid_fraction; }},
-    {"momentum", "kg/(m^2 s)", "kg/(m s)", 1,
-     [](const FieldPoint& p, std::size_t c) { return p.momentum[int(c)]; }},
-    {"velocity", "m/s", "m/s", 1, [](const FieldPoint& p, std::size_t c) { return p.velocity[int(c)]; }},
-    {"contact_stress", "Pa", "N/m", 2,
-     [](const FieldPoint& p, std::size_t c) { return p.contact_stress[c]; }},
-    {"kinetic_stress", "Pa", "N/m", 2,
-     [](const FieldPoint& p, std::size_t c) { return p.kinetic_stress[c]; }},
-    {"traction", "N/m^3", "N/m^2", 1, [](const FieldPoint& p, std::size_t c) { return p.traction[int(c)]; }},
-    {"body_force", "N/m^3", "N/m^2", 1,
-     [](const FieldPoint& p, std::size_t c) { return p.body_force[int(c)]; }},
-    {"group_load", "N/m^3", "N/m^2", 1,
-     [](const FieldPoint& p, std::size_t c) { return p.group_load[int(c)]; }},
-    {"holding_force", "N/m^3", "N/m^2", 1,
-     [](const FieldPoint& p, std::size_t c) { return p.holding_force[int(c)]; }},
-    {"net_force", "N/m^3", "N/m^2", 1,
-     [](const FieldPoint& p, std::size_t c) { return p.net_force[int(c)]; }},
-    {"residual", "N/m^3", "N/m^2", 1,
-     [](const FieldPoint& p, std::size_t c) { return p.residual()[int(c)]; }},
+    {"density", "kg/m^3", 0, [](const FieldPoint& p, std::size_t) { return p.density; }},
+    {"solid_fraction", "", 0, [](const FieldPoint& p, std::size_t) { return p.solid_fraction; }},
+    {"momentum", "kg/(m^2 s)", 1, [](const FieldPoint& p, std::size_t c) { return p.momentum[int(c)]; }},
+    {"velocity", "m/s", 1, [](const FieldPoint& p, std::size_t c) { return p.velocity[int(c)]; }},
+    {"contact_stress", "Pa", 2, [](const FieldPoint& p, std::size_t c) { return p.contact_stress[c]; }},
+    {"kinetic_stress", "Pa", 2, [](const FieldPoint& p, std::size_t c) { return p.kinetic_stress[c]; }},
+    {"traction", "N/m^3", 1, [](const FieldPoint& p, std::size_t c) { return p.traction[int(c)]; }},
+    {"body_force", "N/m^3", 1, [](const FieldPoint& p, std::size_t c) { return p.body_force[int(c)]; }},
+    {"group_load", "N/m^3", 1, [](const FieldPoint& p, std::size_t c) { return p.group_load[int(c)]; }},
+    {"holding_force", "N/m^3", 1, [](const FieldPoint& p, std::size_t c) { return p.holding_force[int(c)]; }},
+    {"net_force", "N/m^3", 1, [](const FieldPoint& p, std::size_t c) { return p.net_force[int(c)]; }},
+    {"residual", "N/m^3", 1, [](const FieldPoint& p, std::size_t c) { return p.residual()[int(c)]; }},
 };
 
 // The components that a scene has, as "xy", and which number each has in three dimensions.
@@ -72,7 +64,7 @@ std::string field_header(int dimension) {
   each_component(1, dimension,
                  [&](const std::string& axis, std::size_t) { line += "," + axis.substr(1) + " [m]"; });
   for (const FieldColumn& column : field_columns) {
-    const std::string_view unit = dimension == 2 ? column.unit_in_2d : column.unit;
+    const std::string_view unit = column.unit;
     each_component(column.rank, dimension, [&](const std::string& axes, std::size_t) {
       line += fmt::format(",{}{}", column.name, axes);
       if (!unit.empty()) line += fmt::format(" [{}]", unit);

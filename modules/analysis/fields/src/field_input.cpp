@@ -155,6 +155,16 @@ FieldInput input_with(const Simulation& s, std::vector<FieldBody> bodies,
 
 }  // namespace
 
+bool forces_are_present(const Simulation& s) {
+  if (s.scene().integration == Integration::position_verlet) return false;
+  const FieldInput moving = input_of(s);
+  std::vector<FieldBody> at_rest = bodies_of(s);
+  for (FieldBody& b : at_rest) b.velocity = {};
+  const FieldInput resting = input_with(s, std::move(at_rest), std::vector<Vec3>(s.particles().size()));
+  return std::equal(moving.bodies.begin(), moving.bodies.end(), resting.bodies.begin(),
+                    [](const FieldBody& a, const FieldBody& b) { return a.body_force == b.body_force; });
+}
+
 FieldInput input_of(const Simulation& s) {
   std::vector<FieldBody> bodies = bodies_of(s);
   std::vector<Vec3> velocities;

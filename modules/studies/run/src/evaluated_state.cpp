@@ -67,12 +67,13 @@ EvaluatedState evaluated_state(const State& state, const std::filesystem::path& 
   return with_state_of(file.string(), [&] { return evaluated(state, file, host); });
 }
 
-std::unique_ptr<Simulation> evaluated_simulation(const State& state, const std::filesystem::path& file,
-                                                 PluginHost& host) {
+EvaluatedSimulation evaluated_simulation(const State& state, const std::filesystem::path& file,
+                                         PluginHost& host) {
   return with_state_of(file.string(), [&] {
-    std::unique_ptr<Simulation> simulation = simulation_with_room(state, plan_of(state, file, host));
-    simulation->apply_reconfiguration();
-    return simulation;
+    EvaluatedSimulation result = {simulation_with_room(state, plan_of(state, file, host)),
+                                  state.has(rows_of_forces)};
+    if (!result.has_forces) result.simulation->apply_reconfiguration();
+    return result;
   });
 }
 

@@ -48,6 +48,15 @@ TEST_CASE("the loads of bodies are those of contacts, body forces and groups", "
   }
 }
 
+TEST_CASE("drag and position_verlet leave forces of another time", "[fields]") {
+  CHECK(fields::forces_are_present(*agitated(packing_scenes[0], 3)));
+  CHECK(fields::forces_are_present(*agitated(packing_scenes[4], 3)));
+  CHECK_FALSE(fields::forces_are_present(*agitated(packing_scenes[6], 3)));  // with damping
+  Scene scene = scene_of(packing_scenes[0]);
+  scene.integration = Integration::position_verlet;
+  CHECK_FALSE(fields::forces_are_present(Simulation(scene)));
+}
+
 TEST_CASE("the line of a contact ends at the centres, or on the wall", "[fields]") {
   const PackingScene packing = {"", 3, {0, 1}};
   const auto simulation = agitated(packing, 20);

@@ -92,6 +92,29 @@ TEST_CASE("contacts of a state with forces have those, and what slides is the sa
           Approx(with_forces.frame.contact_force[k]).epsilon(1e-9).margin(1e-12));
 }
 
+TEST_CASE("the simulation of a state has forces on bodies that are those of its contacts, and goes on",
+          "[run]") {
+  for (const char* probe : {"", "[[probe]]\nplugin = 'contacts'\nevery = 1e-5\n"}) {
+    const Bench bench(two_discs + probe);
+    const run::EvaluatedState state = last_state(bench);
+    const auto file = bench.options.out / "final_state.h5";
+    const run::EvaluatedSimulation evaluated =
+        run::evaluated_simulation(state_file::read_state(file), file, host());
+    CHECK(evaluated.has_forces == (*probe != 0));
+    const ContactList list = evaluated.simulation->contact_list();
+    CHECK(list.force == state.frame.contact_force);
+    double sum = 0;
+    for (std::size_t c = 0; c < list.size(); ++c)
+      if (list.b[c] >= 2) sum += list.force[3 * c + 1];
+    double load = 0;
+    for (std::size_t i = 0; i < 2; ++i) load += evaluated.simulation->particles().force()[1][i];
+    CHECK(sum > 0);
+    CHECK(load == Approx(sum));
+    evaluated.simulation->step();
+    CHECK(evaluated.simulation->steps() == state.frame.step + 1);
+  }
+}
+
 TEST_CASE("contacts are not evaluated from the state of something else than a run", "[run]") {
   State state;
   state.put("quasi_static/scenario", {std::vector<std::string>{""}, {}, ""});

@@ -18,9 +18,12 @@ struct Balance {
   double relative() const;
 };
 
+// The straight path (m) of a body between two times, as if it crossed no periodic face.
+Vec3 path_between(const FieldBody& first, const FieldBody& second, const Domain& domain);
+
 // Of mass between two times (kg/m³):
 //   ρ(t₂) − ρ(t₁) + ∇·∫J dt,   ∫J dt = Σ m d ∫₀¹ φ(x − x(t₁) − s d) ds
-// with the straight path d of each body, across periodic faces too. Throws Error if the bodies or the periods
+// with the path d of each body, see path_between(). Throws Error if the bodies or the periods
 // of the inputs differ.
 Balance mass_balance(const FieldInput& first, const FieldInput& second, const FieldGrid& grid,
                      const AveragingKernel& kernel, ThreadPool& threads);

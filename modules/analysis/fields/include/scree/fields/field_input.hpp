@@ -40,6 +40,11 @@ struct FieldInput {
   std::vector<FieldContact> contacts = {};
 };
 
+// Whether the forces of a simulation between two steps are those of its positions and velocities: not those of
+// position_verlet, of mid-step, and not drag, which a step evaluates at velocities that it predicts. Otherwise
+// Simulation::apply_reconfiguration() evaluates all forces at the present time.
+bool forces_are_present(const Simulation& simulation);
+
 // Of a simulation with forces of contacts (Scene::pair_forces), between two steps.
 FieldInput input_of(const Simulation& simulation);
 

@@ -24,10 +24,14 @@ struct EvaluatedState {
 // run, or its plug-ins are missing.
 EvaluatedState evaluated_state(const State& state, const std::filesystem::path& file, PluginHost& host);
 
-// The simulation of the state of a run, from which a step may be taken. All forces are evaluated at the
-// positions, velocities and springs of the state, also those that the state has: forces of contacts, walls and
-// bodies then belong to one time. Throws Error as evaluated_state().
-std::unique_ptr<Simulation> evaluated_simulation(const State& state, const std::filesystem::path& file,
-                                                 PluginHost& host);
+struct EvaluatedSimulation {
+  std::unique_ptr<Simulation> simulation;
+  bool has_forces = false;  // the state has them; else they were evaluated
+};
+
+// The same as a simulation, which can take a step. Forces on bodies are those of the contacts. Throws Error as
+// evaluated_state().
+EvaluatedSimulation evaluated_simulation(const State& state, const std::filesystem::path& file,
+                                         PluginHost& host);
 
 }  // namespace scree::run
