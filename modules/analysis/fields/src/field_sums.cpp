@@ -24,8 +24,8 @@ Vec3 holding_force(const FieldBody& body) {
   return force;
 }
 
-// Adds a mass per volume with a velocity; the mean and the spread about it are updated together (West, Commun.
-// ACM 22, 532 (1979)), so that a fast drift costs the spread no digits.
+// Adds a mass per volume with a velocity; the mean and the spread about it are updated together (West,
+// Commun. ACM 22, 532 (1979)), so that a fast drift costs the spread no digits.
 void add_motion(double mass, const Vec3& velocity, FieldPoint& point) {
   const double before = point.density;
   point.density += mass;

@@ -14,6 +14,7 @@ namespace scree::fields {
 namespace {
 
 constexpr double most_points_per_body = 1e6;
+constexpr double most_periods = 100;  // between a grid and the scene; each is an image to look through
 
 struct Extent {
   double lower, upper;  // (m)
@@ -37,13 +38,22 @@ void check_size(const FieldGrid& grid, double cells, double width) {
                 fmt::format("give a larger one, or a smaller box: there are {:.3g} GB", there / 1e9));
   double near = 1;
   for (int k = 0; k < grid.dimension; ++k) {
-    const double reach = 2 * width / grid.spacing[k];
     const bool periodic = grid.period[k] > 0;
-    near *= periodic || grid.count[std::size_t(k)] > 1 ? std::max(1.0, reach) : 1;
+    double points = grid.count[std::size_t(k)] > 1 ? 2 * width / grid.spacing[k] : 1;
+    if (periodic) points = std::max(points, 2 * width / grid.period[k]);  // images of a layer
+    near *= std::max(1.0, points);
   }
   if (near > most_points_per_body)
     throw Error("--width", fmt::format("is so large that each body adds to {:.3g} points", near),
                 "give a smaller one, or a larger --spacing");
+}
+
+void check_periods(const FieldInput& input, int k, double from, double to) {
+  if (!input.domain.periodic[std::size_t(k)]) return;
+  const double room = most_periods * input.domain.length(k);
+  if (!(from > input.domain.lower[k] - room && to < input.domain.upper[k] + room))
+    throw Error("the grid", fmt::format("is more than {:g} periods away along {}", most_periods, "xyz"[k]),
+                "give a --plane, --lower and --upper near the scene");
 }
 
 }  // namespace
@@ -65,6 +75,7 @@ FieldGrid grid_for(const GridRequest& request, const FieldInput& input) {
     if (input.domain.periodic[std::size_t(k)]) grid.period[k] = input.domain.length(k);
     grid.spacing[k] = spacing;
     if (k == request.plane_axis) {
+      check_periods(input, k, request.plane, request.plane);
       grid.first[k] = request.plane;
       continue;
     }
@@ -76,6 +87,7 @@ FieldGrid grid_for(const GridRequest& request, const FieldInput& input) {
       throw Error("--upper",
                   fmt::format("is not above the lower end along {} ({:g} m)", "xyz"[k], extent.lower),
                   "give a box with a volume");
+    check_periods(input, k, extent.lower, extent.upper);
     const double count = std::max(1.0, std::round(length / spacing));
     cells *= count;
     grid.spacing[k] = length / count;

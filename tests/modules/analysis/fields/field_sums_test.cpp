@@ -1,8 +1,6 @@
 #include "field_scenes.hpp"
 #include "numbers.hpp"
 
-#include <numbers>
-
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
@@ -27,146 +25,11 @@ std::vector<FieldPoint> fields_of(const FieldInput& input, const FieldGrid& grid
   return sums.means();
 }
 
-FieldGrid at_point(const FieldGrid& like, const Vec3& place) {
-  FieldGrid grid = like;
-  grid.first = place;
-  grid.count = {1, 1, 1};
-  return grid;
-}
-
-// Calls use(x + image) for the point and its images around the scene.
-template <class Use>
-void each_image_of(const Vec3& x, const FieldInput& input, const Use& use) {
-  const auto reach = [&](int k) { return input.domain.periodic[std::size_t(k)] ? 2 : 0; };
-  for (int a = -reach(0); a <= reach(0); ++a)
-    for (int b = -reach(1); b <= reach(1); ++b)
-      for (int c = -reach(2); c <= reach(2); ++c) {
-        Vec3 shift = {{double(a), double(b), double(c)}};
-        for (int k = 0; k < 3; ++k) shift[k] *= input.domain.length(k);
-        use(x + shift);
-      }
-}
-
-// φ, written down again.
-double kernel_at(const Vec3& r, double w, int dimension) {
-  const double u = 1 - dot(r, r) / (w * w), pi = std::numbers::pi;
-  return u > 0 ? u * u * u * (dimension == 2 ? 4 / (pi * w * w) : 315 / (64 * pi * w * w * w)) : 0;
-}
-
-// Sums over all bodies and contacts with midpoints along lines, and the kinetic stress in two passes.
-FieldPoint slow_fields(const FieldInput& input, const Vec3& x, double w) {
-  FieldPoint p;
-  std::vector<double> weights(input.bodies.size(), 0.0);
-  each_image_of(x, input, [&](const Vec3& place) {
-    for (std::size_t i = 0; i < weights.size(); ++i)
-      weights[i] += kernel_at(place - input.bodies[i].position, w, input.dimension);
-    for (const FieldContact& c : input.contacts) {
-      const Vec3 start = input.bodies[c.a].position - c.line;
-      constexpr int n = 2000;
-      double weight = 0;
-      if (norm(place - start) < w + norm(c.line))
-        for (int k = 0; k < n; ++k)
-          weight += kernel_at(place - start - ((k + 0.5) / n) * c.line, w, input.dimension) / n;
-      for (int i = 0; i < 9; ++i) p.contact_stress[std::size_t(i)] += weight * c.force[i / 3] * c.line[i % 3];
-      if (c.b == FieldContact::wall) p.traction += kernel_at(place - start, w, input.dimension) * c.force;
-    }
-  });
-  for (std::size_t i = 0; i < weights.size(); ++i) {
-    const FieldBody& b = input.bodies[i];
-    const double r = b.radius, pi = std::numbers::pi;
-    p.density += b.mass * weights[i];
-    p.momentum += b.mass * weights[i] * b.velocity;
-    p.net_force += weights[i] * b.force;
-    p.body_force += weights[i] * b.body_force;
-    p.group_load += weights[i] * b.group_load;
-    p.solid_fraction += weights[i] * (input.dimension == 2 ? pi * r * r : 4 * pi / 3 * r * r * r);
-  }
-  p.velocity = (1 / p.density) * p.momentum;
-  for (std::size_t i = 0; i < weights.size(); ++i) {
-    const Vec3 v = input.bodies[i].velocity - p.velocity;
-    for (int k = 0; k < 9; ++k)
-      p.kinetic_stress[std::size_t(k)] += input.bodies[i].mass * weights[i] * v[k / 3] * v[k % 3];
-  }
-  return p;
-}
-
 void check_near(const Vec3& a, const Vec3& b, double margin) {
   for (int k = 0; k < 3; ++k) CHECK(a[k] == Approx(b[k]).margin(margin));
 }
 
-// Transform of the kernel in 3D at a wave number, by midpoints.
-double transform(double w, double wave_number) {
-  double sum = 0;
-  const int n = 4000;
-  for (int k = 0; k < n; ++k) {
-    const double r = (k + 0.5) * w / n, kr = wave_number * r;
-    sum += kernel_at({{r, 0, 0}}, w, 3) * (kr > 0 ? std::sin(kr) / kr : 1) * 4 * std::numbers::pi * r * r *
-           w / n;
-  }
-  return sum;
-}
-
 }  // namespace
-
-TEST_CASE("fields at random points are sums over all bodies, contacts and images", "[fields]") {
-  std::mt19937_64 random(11);
-  std::uniform_real_distribution<double> part(0, 1);
-  for (const PackingScene& packing : packing_scenes) {
-    CAPTURE(packing.name);
-    const auto simulation = agitated(packing);
-    const FieldInput input = input_of(*simulation);
-    const FieldGrid grid = grid_over(packing);
-    const double w = 2.3;
-    for (int k = 0; k < 12; ++k) {
-      Vec3 x = {};
-      for (int axis = 0; axis < packing.dimension; ++axis)
-        x[axis] = (1.4 * part(random) - 0.2) * cells_along(packing.dimension, axis) * pitch;
-      const FieldPoint fast = fields_of(input, at_point(grid, x), AveragingKernel(packing.dimension, w))[0];
-      const FieldPoint slow = slow_fields(input, x, w);
-      if (!(slow.density > 0)) continue;
-      CHECK(fast.density == Approx(slow.density).epsilon(1e-11));
-      CHECK(fast.solid_fraction == Approx(slow.solid_fraction).epsilon(1e-11));
-      check_near(fast.momentum, slow.momentum, 1e-12);
-      check_near(fast.velocity, slow.velocity, 1e-11);
-      check_near(fast.net_force, slow.net_force, 1e-10);
-      check_near(fast.body_force, slow.body_force, 1e-12);
-      check_near(fast.group_load, slow.group_load, 1e-12);
-      check_near(fast.traction, slow.traction, 1e-10);
-      for (std::size_t c = 0; c < 9; ++c) {
-        CHECK(fast.kinetic_stress[c] == Approx(slow.kinetic_stress[c]).margin(1e-12));
-        // Midpoints: an error of 1/n² of forces near 50.
-        CHECK(fast.contact_stress[c] == Approx(slow.contact_stress[c]).margin(1e-5));
-      }
-    }
-  }
-}
-
-// ρ(x) = (m/a³) Σ φ̂(G) cos(G·x) over the reciprocal lattice (Poisson).
-TEST_CASE("a cubic lattice has its bulk density and the waves that the kernel leaves", "[fields]") {
-  const double a = 1.1, mass = 0.7, w = 1.6 * a;
-  FieldInput input;
-  input.domain = {{true, true, true}, {}, {{4 * a, 4 * a, 4 * a}}};
-  for (int k = 0; k < 64; ++k)
-    input.bodies.push_back(
-        {.id = k, .mass = mass, .radius = a / 2, .position = {{a * (k % 4), a * (k / 4 % 4), a * (k / 16)}}});
-  FieldGrid grid;
-  grid.period = {{4 * a, 4 * a, 4 * a}};
-  for (const double part : {0.0, 0.13, 0.5}) {
-    const Vec3 x = {{a * part, 0.3 * a, 0.9 * a}};
-    double waves = 0;
-    const int most = 6;  // beyond it the kernel leaves less than 1e-5
-    for (int p = -most; p <= most; ++p)
-      for (int q = -most; q <= most; ++q)
-        for (int r = -most; r <= most; ++r) {
-          const double unit = 2 * std::numbers::pi / a;
-          waves += transform(w, unit * std::sqrt(double(p * p + q * q + r * r))) *
-                   std::cos(unit * (p * x[0] + q * x[1] + r * x[2]));
-        }
-    const FieldPoint point = fields_of(input, at_point(grid, x), AveragingKernel(3, w))[0];
-    CHECK(point.density == Approx(mass / (a * a * a) * waves).epsilon(1e-4));
-    CHECK(point.solid_fraction == Approx(std::numbers::pi / 6).epsilon(0.05));
-  }
-}
 
 TEST_CASE("integrals over space are sums over bodies and contacts, at every width", "[fields]") {
   for (const PackingScene& packing : packing_scenes) {

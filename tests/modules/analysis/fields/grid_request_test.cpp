@@ -73,4 +73,19 @@ TEST_CASE("grids without a volume, beyond the memory or of too many points for a
   request.spacing = 1;
   CHECK_THAT(refused_grid(request),
              Catch::StartsWith("--width: is so large that each body adds to 8e+15 points; give"));
+  // A kernel of many periods along x, although there is one layer of points.
+  request.width = 1e8;
+  request.spacing = 1e8;
+  CHECK_THAT(refused_grid(request), Catch::StartsWith("--width: is so large"));
+  request = {};
+  request.width = 1;
+  request.plane_axis = 0;
+  request.plane = -302;
+  CHECK(
+      refused_grid(request) ==
+      "the grid: is more than 100 periods away along x; give a --plane, --lower and --upper near the scene");
+  request.plane = 1e300;
+  CHECK_THAT(refused_grid(request), Catch::Contains("periods away"));
+  request.plane = -300;
+  CHECK(refused_grid(request).empty());
 }

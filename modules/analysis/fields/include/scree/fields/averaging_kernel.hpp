@@ -16,8 +16,8 @@ struct AlongLine {
 
 // The weight that a mass at distance r has in the mean at a point:
 //   φ(r) = C (1 − r²/w²)³ for r < w, else 0;   C = 315/(64π w³) in 3D, 4/(π w²) in 2D, so that ∫φ = 1.
-// It has two continuous derivatives (Goldhirsch, Granul. Matter 12, 239 (2010), leaves φ free). Along a line it
-// is a polynomial of degree 6, and line·∇φ one of degree 5: four nodes of Gauss and Legendre, exact up to
+// It has two continuous derivatives (Goldhirsch, Granul. Matter 12, 239 (2010), leaves φ free). Along a line
+// it is a polynomial of degree 6, and line·∇φ one of degree 5: four nodes of Gauss and Legendre, exact up to
 // degree 7, integrate both without error.
 class AveragingKernel {
  public:

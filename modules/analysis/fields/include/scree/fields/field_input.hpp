@@ -40,16 +40,16 @@ struct FieldInput {
   std::vector<FieldContact> contacts = {};
 };
 
-// Whether the forces of a simulation between two steps are those of its positions and velocities: not those of
-// position_verlet, of mid-step, and not drag, which a step evaluates at velocities that it predicts. Otherwise
-// Simulation::apply_reconfiguration() evaluates all forces at the present time.
+// Whether the forces of a simulation between two steps are those of its positions and velocities: not those
+// of position_verlet, of mid-step, and not drag, which a step evaluates at velocities that it predicts.
+// Otherwise Simulation::apply_reconfiguration() evaluates all forces at the present time.
 bool forces_are_present(const Simulation& simulation);
 
 // Of a simulation with forces of contacts (Scene::pair_forces), between two steps.
 FieldInput input_of(const Simulation& simulation);
 
-// The same after one step of velocity Verlet from `before`. Body forces that depend on velocities are those of
-// the step, which evaluates them at velocities that it predicts, v + h F/m.
+// The same after one step of velocity Verlet from `before`. Body forces that depend on velocities are those
+// of the step, which evaluates them at velocities that it predicts, v + h F/m.
 FieldInput input_after_step(const Simulation& simulation, const FieldInput& before);
 
 }  // namespace scree::fields

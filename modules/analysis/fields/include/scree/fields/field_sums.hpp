@@ -58,7 +58,7 @@ class FieldSums {
   double time_ = 0;  // (s) sum
 };
 
-// Largest |component| of the residual of the balance of forces over all points, over the largest term anywhere.
+// Largest |component| of the residual of the balance of forces at any point, over the largest term anywhere.
 double force_residual(const std::vector<FieldPoint>& points);
 
 // Throws Error if an input does not fit a grid.
