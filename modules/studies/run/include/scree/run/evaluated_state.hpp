@@ -29,8 +29,8 @@ struct EvaluatedSimulation {
   bool has_forces = false;  // the state has them; else they were evaluated
 };
 
-// The same as a simulation, which can take a step. Forces on bodies are those of the contacts. Throws Error as
-// evaluated_state().
+// The same as a simulation, which can take a step. Forces on bodies are those of the contacts. Throws Error
+// as evaluated_state().
 EvaluatedSimulation evaluated_simulation(const State& state, const std::filesystem::path& file,
                                          PluginHost& host);
 
