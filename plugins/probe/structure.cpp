@@ -78,7 +78,7 @@ struct StructureProbe {
   }
   void describe(scree_probe_instance& instance) const {
     instance.needs = SCREE_NEEDS_CONTACTS;
-    instance.column_count = std::size(names) + (largest > 0 ? std::uint32_t(classes) : 0);
+    instance.column_count = std::uint32_t(std::size(names)) + (largest > 0 ? std::uint32_t(classes) : 0);
     instance.leaves_out = 1;
   }
   scree::ColumnName column(std::uint32_t c) const {

@@ -24,7 +24,7 @@ struct TemperatureProbe {
     dimension = setup.dimension();
   }
   void describe(scree_probe_instance& instance) const {
-    instance.column_count = std::size(names) * std::uint32_t(bins.bins);
+    instance.column_count = std::uint32_t(std::size(names)) * std::uint32_t(bins.bins);
     instance.leaves_out = 1;
   }
   scree::ColumnName column(std::uint32_t c) const {

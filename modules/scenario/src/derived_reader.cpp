@@ -168,7 +168,7 @@ double every_of(const DerivedQuantity& quantity, const std::vector<ProbeDraft>& 
   if (quantity.key == derived_keys.formula.name && quantity.table.optional(derived_keys.every))
     return read_interval(quantity.table, derived_keys.every, step);
   double every = drafts[quantity.probes.front()].plan.every;
-  for (const std::size_t p : quantity.probes) every = std::min(every, drafts[p].plan.every);
+  for (const std::size_t p : quantity.probes) every = std::max(every, drafts[p].plan.every);
   return every;
 }
 

@@ -35,7 +35,7 @@ struct DerivedKeys : TableKeys {
       "with other characters than letters, digits and _ stand in '...'");
   StringKey unit = string("unit", "of the result", "default by those of the columns");
   Key every =
-      other("every", "number", Range::positive("s"), "default the smallest of the probes that it reads",
+      other("every", "number", Range::positive("s"), "default the longest of the probes that it reads",
             "time between samples; the series has the smallest of its quantities");
 };
 
@@ -131,7 +131,7 @@ struct ExpectKeys : TableKeys {
   StringKey requirement = string("requirement", "a sentence for the report");
   StringKey quantity = string(
       "quantity",
-      "a number of run.json, <probe>.<column>.<last, first, min, max or mean>, or of scree spectrum "
+      "a number of run.json, <probe>.<column>.<last, first, min, max, mean or last_number>, where the last passes over NaN, or of scree spectrum "
       "peaks.<method>.<probe>.<column>.<peak_1, ... or 3lambda/4, ...>.<frequency, quality or amplitude>");
   NumberKey reference = number("reference", Range::any(), "expected value", "optional");
   NumberKey tolerance =

@@ -153,7 +153,7 @@ packing::Random random_of(std::uint64_t seed, std::size_t table) {
 std::vector<SpringSource> spring_sources(const std::vector<BodyLot>& lots) {
   std::vector<SpringSource> sources;
   for (const BodyLot& lot : lots) {
-    if (!lot.table.optional(particles_keys.springs)) continue;
+    if (!lot.table.path().starts_with("particles") || !lot.table.optional(particles_keys.springs)) continue;
     sources.push_back({lot.table, {}, lot.timestep});
     for (const Body& body : lot.bodies) sources.back().ids.insert(body.id);
   }

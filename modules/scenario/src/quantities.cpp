@@ -62,6 +62,10 @@ double series_statistic(const std::vector<double>& values, const std::string& st
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   if (values.empty()) return nan;
   if (statistic == "first") return values.front();
+  if (statistic == "last_number") {
+    const auto number = std::find_if(values.rbegin(), values.rend(), [](double x) { return !std::isnan(x); });
+    return number == values.rend() ? nan : *number;
+  }
   const bool ordered = statistic == "min" || statistic == "max";
   // Comparisons pass over NaN.
   if (ordered && std::any_of(values.begin(), values.end(), [](double x) { return std::isnan(x); }))

@@ -31,8 +31,8 @@ std::vector<double> in_last_stage(const std::string& tables, const std::string& 
   return {};
 }
 
-const std::string stage = "[[stage]]\nname = 'first'\nduration = 1e-4\n",
-                  second = "[[stage]]\nname = 'second'\nduration = 1e-4\n";
+const std::string first_stage = "[[stage]]\nname = 'first'\nduration = 1e-4\n",
+                  second_stage = "[[stage]]\nname = 'second'\nduration = 1e-4\n";
 
 }  // namespace
 
@@ -52,8 +52,8 @@ TEST_CASE("a stage moves one wall of an axis whose walls had one control, and th
   CHECK(box.given("x_high"));
   CHECK(box.given("gap"));
   // And back: the axis in place of its walls.
-  const scenario::Plan back = plan_of("set.box = { x_high = 'velocity', velocity_x_high = 0.1 }\n" + second +
-                                      "set.box.x = 'fixed'\n");
+  const scenario::Plan back = plan_of("set.box = { x_high = 'velocity', velocity_x_high = 0.1 }\n" +
+                                      second_stage + "set.box.x = 'fixed'\n");
   const Parameters& then = back.stages[1].changes[0].parameters;
   CHECK(then.given("x"));
   CHECK_FALSE(then.given("x_low"));
@@ -67,15 +67,15 @@ TEST_CASE("a stage moves one wall of an axis whose walls had one control, and th
 TEST_CASE("a key that a stage sets replaces its parts and what it excludes", "[scenario]") {
   const std::string gravity = "[[body_force]]\nplugin = 'gravity'\nacceleration = [0, -2]\n";
   const std::string parts =
-      gravity + "acceleration_x = { mean = 0, amplitude = 1, frequency_hz = 10 }\n" + stage;
+      gravity + "acceleration_x = { mean = 0, amplitude = 1, frequency_hz = 10 }\n" + first_stage;
   CHECK(in_last_stage(parts + "set.gravity.acceleration = [0, -1]\n", "acceleration_x").empty());
   CHECK(in_last_stage(parts + "set.gravity.acceleration = [0, -1]\n", "acceleration") ==
         std::vector<double>{0, -1, 0});
   // A part leaves the whole to the other axes.
-  CHECK(in_last_stage(gravity + stage + "set.gravity.acceleration_x = 1\n", "acceleration") ==
+  CHECK(in_last_stage(gravity + first_stage + "set.gravity.acceleration_x = 1\n", "acceleration") ==
         std::vector<double>{0, -2, 0});
   // normal_damping is given in the scene, and restitution excludes it.
-  const std::string law = stage + "set.linear_spring_dashpot.restitution = 0.5\n";
+  const std::string law = first_stage + "set.linear_spring_dashpot.restitution = 0.5\n";
   CHECK(in_last_stage(law, "normal_damping").empty());
   CHECK(in_last_stage(law, "restitution") == std::vector<double>{0.5});
   CHECK(in_last_stage(law, "normal_stiffness") == std::vector<double>{1e4});

@@ -22,4 +22,7 @@ TEST_CASE("a series that is not a number somewhere has no smallest, largest or m
   for (const std::vector<double>& values : {std::vector<double>{nan, 1, 2}, {1, nan, 2}, {1, 2, nan}})
     for (const char* statistic : {"min", "max", "mean"})
       CHECK(std::isnan(series_statistic(values, statistic)));
+  // As of a stage that is over.
+  CHECK(series_statistic({1, 2, nan}, "last_number") == 2);
+  CHECK(std::isnan(series_statistic({nan}, "last_number")));
 }

@@ -11,7 +11,7 @@ using namespace scree::test;
 namespace {
 
 const Values elastic_law = {{"normal_stiffness", {5000}}, {"normal_damping", {0}}};
-const Values wide = {{"region", {1}}, {"lower", {-9, -9, -9}}, {"upper", {9, 9, 9}}};
+const Values wide_region = {{"region", {1}}, {"lower", {-9, -9, -9}}, {"upper", {9, 9, 9}}};
 
 }  // namespace
 
@@ -22,14 +22,14 @@ TEST_CASE("fabric: three discs at a right angle, and contacts with a wall if the
                    elastic_law);
   add_boundary(sc, "plane", {{"point", {0, -0.99, 0}}, {"normal", {0, 1, 0}}}, "ground");
   const Simulation s(sc);
-  const Sampled row = sample(s, "fabric", wide);
+  const Sampled row = sample(s, "fabric", wide_region);
   CHECK(row["contacts"] == 2);
   CHECK(row["xx"] == Approx(0.5));
   CHECK(row["yy"] == Approx(0.5));
   CHECK(std::abs(row["xy"]) < 1e-15);
   CHECK(row["p"] == Approx(0.5));
   CHECK(std::abs(row["q"]) < 1e-15);
-  Values with_walls = wide;
+  Values with_walls = wide_region;
   with_walls.push_back({"walls", {1}});
   const Sampled walls = sample(s, "fabric", with_walls);
   CHECK(walls["contacts"] == 4);

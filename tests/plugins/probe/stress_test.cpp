@@ -54,18 +54,18 @@ TEST_CASE("stress: a layer bears the load on the lid but for friction at the sid
   const scree_view& view = contacts.get();
   const double low = s.planes()[4].point[2], high = s.planes()[5].point[2];
   const double section = s.lengths()[0] * s.lengths()[1];
-  constexpr int layers = 5;
-  const double height = (high - low) / layers;
-  const Sampled row = sample(s, "stress", {{"bins", {layers}}, {"along", {2}}});
+  constexpr int layer_count = 5;
+  const double height = (high - low) / layer_count;
+  const Sampled row = sample(s, "stress", {{"bins", {layer_count}}, {"along", {2}}});
   const double lid = s.loads()[5].force[2];
   REQUIRE(lid > 1);
   double friction = 0;
-  for (int layer = 0; layer < layers; ++layer) {
+  for (int layer = 0; layer < layer_count; ++layer) {
     const double from = low + layer * height;
     // The outer layers reach into the walls.
     const auto above = [&](double z) {
       const double part = z - from;
-      return std::clamp(part, layer == 0 ? -INFINITY : 0.0, layer == layers - 1 ? INFINITY : height);
+      return std::clamp(part, layer == 0 ? -INFINITY : 0.0, layer == layer_count - 1 ? INFINITY : height);
     };
     double through = lid * height;
     for (std::uint64_t c = 0; c < view.contact_count; ++c) {

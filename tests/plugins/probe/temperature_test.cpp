@@ -23,7 +23,7 @@ Scene layered(int dimension) {
   s.spin = true;
   return s;
 }
-Values layers(int dimension) {
+Values two_layers(int dimension) {
   return {{"region", {1}},
           {"lower", {-1, dimension == 2 ? 0.0 : -1, 0}},
           {"upper", {1, dimension == 2 ? 10.0 : 1, 10}},
@@ -36,7 +36,7 @@ Values layers(int dimension) {
 TEST_CASE("temperature: about the mean velocity and spin of each layer", "[probe]") {
   for (const int dimension : {2, 3}) {
     const Simulation s(layered(dimension));
-    const Sampled row = sample(s, "temperature", layers(dimension));
+    const Sampled row = sample(s, "temperature", two_layers(dimension));
     // Mean (2·1 + 6·3)/8 = 2.5 m/s: (2·2.25 + 6·0.25)/(D·2). Spins 7 ± 2 rad/s.
     CHECK(row["bodies_1"] == 2);
     CHECK(row["translational_1"] == Approx(6.0 / (2 * dimension)));
@@ -44,7 +44,7 @@ TEST_CASE("temperature: about the mean velocity and spin of each layer", "[probe
     CHECK(row["rotational_1"] == Approx(inertia * (2 + 6) * 4 / (2 * (dimension == 2 ? 1 : 3))));
     CHECK(row["translational_2"] == 0);
     CHECK(row["rotational_2"] == 0);
-    const Sampled velocity = sample(s, "velocity", layers(dimension));
+    const Sampled velocity = sample(s, "velocity", two_layers(dimension));
     CHECK(velocity["bodies_2"] == 2);
     CHECK(velocity["x_1"] == Approx(2.5));
     CHECK(velocity["y_1"] == 0);
@@ -56,10 +56,10 @@ TEST_CASE("temperature: about the mean velocity and spin of each layer", "[probe
 TEST_CASE("temperature and velocity: bodies that are left out, and bins without bodies, do not count",
           "[probe]") {
   const Simulation s(layered(3));
-  const Sampled row = sample(s, "temperature", layers(3), {1, 0, 1, 1});
+  const Sampled row = sample(s, "temperature", two_layers(3), {1, 0, 1, 1});
   CHECK(row["bodies_1"] == 1);
   CHECK(row["translational_1"] == 0);
   CHECK(row["bodies_2"] == 0);
   CHECK(std::isnan(row["translational_2"]));
-  CHECK(std::isnan(sample(s, "velocity", layers(3), {1, 0, 1, 1})["x_2"]));
+  CHECK(std::isnan(sample(s, "velocity", two_layers(3), {1, 0, 1, 1})["x_2"]));
 }

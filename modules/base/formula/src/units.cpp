@@ -36,8 +36,9 @@ constexpr NamedUnit named_units[] = {{"N", 1, 1, -2}, {"Pa", 1, -1, -2}, {"J", 1
 Powers in_base(const Powers& powers) {
   Powers base;
   for (const auto& [unit, power] : powers) {
+    const std::string& name_of_unit = unit;  // clang captures no parts of a pair
     const auto found = std::find_if(std::begin(named_units), std::end(named_units),
-                                    [&](const NamedUnit& named) { return unit == named.name; });
+                                    [&](const NamedUnit& named) { return name_of_unit == named.name; });
     if (found == std::end(named_units))
       multiply_powers(base, {{unit, 1}}, power);
     else

@@ -18,8 +18,8 @@ using files::Token;
 
 namespace {
 
-constexpr std::array<std::string_view, 5> names = {"a", "b", "spring_x", "spring_y", "spring_z"};
-constexpr std::size_t unread = names.size();
+constexpr std::array<std::string_view, 5> spring_columns = {"a", "b", "spring_x", "spring_y", "spring_z"};
+constexpr std::size_t not_read = spring_columns.size();
 constexpr const char* columns_cure =
     "name the columns in their order, such as springs.columns = [\"a\", \"b\", \"spring_x\", \"spring_y\", "
     "\"spring_z\", \"-\"], where \"-\" is not read";
@@ -46,7 +46,7 @@ class SpringReader {
 
   TextReader& reader_;
   const SpringOptions& options_;
-  std::vector<std::size_t> meaning_;  // of each column: index into names, or unread
+  std::vector<std::size_t> meaning_;  // of each column: index into spring_columns, or not_read
   std::vector<Spring> springs_;
   std::int64_t expected_ = -1;  // as the head of the frame says
   std::map<std::pair<std::int64_t, std::int64_t>, std::size_t> line_of_;
@@ -77,16 +77,17 @@ void SpringReader::choose_columns() {
   }
   const std::size_t needed = options_.dimension == 2 ? 4 : 5;
   for (const std::string& name : given) {
-    const auto known = std::find(names.begin(), names.end(), name);
-    if (known == names.end() && name != "-" && !options_.columns.empty())
+    const auto known = std::find(spring_columns.begin(), spring_columns.end(), name);
+    if (known == spring_columns.end() && name != "-" && !options_.columns.empty())
       reader_.fail(1, fmt::format("there is no column {} to read", files::quote_token(name)), columns_cure);
-    meaning_.push_back(std::size_t(known - names.begin()));
+    meaning_.push_back(std::size_t(known - spring_columns.begin()));
   }
   for (std::size_t k = 0; k < needed; ++k)
     if (const auto count = std::count(meaning_.begin(), meaning_.end(), k); count != 1)
-      reader_.fail(
-          1, fmt::format("{} has the name '{}'", count == 0 ? "no column" : "more than one column", names[k]),
-          columns_cure);
+      reader_.fail(1,
+                   fmt::format("{} has the name '{}'", count == 0 ? "no column" : "more than one column",
+                               spring_columns[k]),
+                   columns_cure);
 }
 
 void SpringReader::read_spring() {
@@ -98,12 +99,13 @@ void SpringReader::read_spring() {
   Spring spring;
   spring.line = reader_.line_number();
   for (std::size_t k = 0; k < words.size(); ++k) {
-    if (meaning_[k] == unread) continue;
+    if (meaning_[k] == not_read) continue;
     if (meaning_[k] < 2)
-      (meaning_[k] == 0 ? spring.a : spring.b) = reader_.positive_integer(words[k], names[meaning_[k]]);
+      (meaning_[k] == 0 ? spring.a : spring.b) =
+          reader_.positive_integer(words[k], spring_columns[meaning_[k]]);
     else if (int(meaning_[k]) - 2 < options_.dimension)
       spring.displacement[int(meaning_[k]) - 2] =
-          options_.factor * reader_.number(words[k], names[meaning_[k]]);
+          options_.factor * reader_.number(words[k], spring_columns[meaning_[k]]);
   }
   check_pair(spring);
   springs_.push_back(spring);

@@ -112,7 +112,7 @@ struct ChartPlan {
 // A required result of a run or a study.
 struct Expectation {
   std::string requirement;  // text for people
-  std::string quantity;     // "energy_residual", "<probe>.<column>.<last|first|min|max|mean>", or of a study
+  std::string quantity;     // "energy_residual", "<probe>.<column>.<last|...|mean>", or of a study
   std::optional<double> reference, tolerance;
   std::optional<double> at_most, at_least;
   bool of_step = false;         // the reference is valid only for the time step in the file

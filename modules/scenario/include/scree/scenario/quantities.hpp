@@ -10,7 +10,8 @@
 namespace scree::scenario {
 
 // Statistics of a series, for use in expectations.
-inline constexpr std::array<const char*, 5> series_statistics = {"last", "first", "min", "max", "mean"};
+inline constexpr std::array<const char*, 6> series_statistics = {"last", "last_number", "first",
+                                                                 "min",  "max",         "mean"};
 
 // NaN for an empty series.
 double series_statistic(const std::vector<double>& values, const std::string& statistic);
