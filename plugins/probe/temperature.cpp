@@ -28,7 +28,7 @@ struct TemperatureProbe {
     instance.leaves_out = 1;
   }
   scree::ColumnName column(std::uint32_t c) const {
-    const std::uint32_t k = c % std::size(names);
+    const std::uint32_t k = c % std::uint32_t(std::size(names));
     return {bins.numbered(names[k], c / std::uint32_t(std::size(names))), units[k], meanings[k]};
   }
   std::string start(const scree_view& view, double*) const { return bins.problem(view); }

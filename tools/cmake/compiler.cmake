@@ -21,8 +21,9 @@ endif()
 # For what spends its time in libraries and plug-ins, as the program and the tests do: at -O3 they take a third longer to
 # compile and run no faster. Results have the same bits at every level.
 add_library(scree_quick_to_compile INTERFACE)
+set(SCREE_QUICK_LEVEL -O1 CACHE STRING "Optimisation of what spends its time in libraries and plug-ins")
 if(NOT SCREE_SANITIZE)
-  target_compile_options(scree_quick_to_compile INTERFACE $<$<CONFIG:Release,RelWithDebInfo>:-O1>)
+  target_compile_options(scree_quick_to_compile INTERFACE $<$<CONFIG:Release,RelWithDebInfo>:${SCREE_QUICK_LEVEL}>)
 endif()
 
 if(SCREE_SANITIZE)
