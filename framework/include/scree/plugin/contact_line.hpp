@@ -30,8 +30,8 @@ struct ContactLine {
 
   Vec3 point() const { return centre - to_a * normal; }
 
-  // Calls visit(start, step) for the line, or for those of its two parts, on both sides of the contact point,
-  // that lie in bodies which the probe counts.
+  // Calls visit(start, step) for the line if the probe counts both bodies; if it counts one of them, for the
+  // part between the contact point and the centre of that body.
   template <class Visit>
   void each_part(const scree_view& view, const Visit& visit) const {
     const bool with_a = counts(view, a), with_b = b >= view.body_count || counts(view, b);

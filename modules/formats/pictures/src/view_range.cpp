@@ -22,18 +22,23 @@ std::vector<double> components(const std::vector<double>& vectors, std::size_t a
   return values;
 }
 
-// Whether a height along an axis is so near to the bodies that a picture of it still shows these.
-bool is_near(const Frame& frame, double height, std::size_t axis) {
-  double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY}, extent = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    for (std::size_t i = 0; i < frame.particle_count(); ++i) {
-      low[k] = std::min(low[k], frame.position[3 * i + k] - frame.radius[i]);
-      high[k] = std::max(high[k], frame.position[3 * i + k] + frame.radius[i]);
-    }
-    extent = std::max(extent, high[k] - low[k]);
+// The ends of the bodies of a frame along each axis (m), and their largest extent.
+struct BodiesBox {
+  double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
+  double extent = INFINITY;  // without bodies every wall is near
+
+  explicit BodiesBox(const Frame& frame) {
+    for (std::size_t i = 0; i < frame.particle_count(); ++i)
+      for (std::size_t k = 0; k < 3; ++k) {
+        low[k] = std::min(low[k], frame.position[3 * i + k] - frame.radius[i]);
+        high[k] = std::max(high[k], frame.position[3 * i + k] + frame.radius[i]);
+      }
+    if (frame.particle_count() > 0) extent = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
   }
-  return frame.particle_count() == 0 || within_view(height, low[axis], high[axis], extent);
-}
+  bool is_near(double height, std::size_t axis) const {
+    return std::isinf(extent) || within_view(height, low[axis], high[axis], extent);
+  }
+};
 
 }  // namespace
 
@@ -62,12 +67,13 @@ void ViewRange::extend_colors(const std::array<double, 2>& extent) {
 }
 
 void ViewRange::add_box(const Frame& frame) {
+  const BodiesBox bodies(frame);
   for (std::size_t k = 0; k < std::size_t(frame.dimension); ++k) {
     if (frame.lower[k] < frame.upper[k]) add_extent(k, frame.lower[k], frame.upper[k]);
     for (std::size_t i = 0; i < frame.particle_count(); ++i)
       add_extent(k, frame.position[3 * i + k] - frame.radius[i], frame.position[3 * i + k] + frame.radius[i]);
     for (const Wall& wall : frame.walls)
-      if (std::abs(wall.normal[k]) > 0.999 && is_near(frame, wall.point[k], k))
+      if (std::abs(wall.normal[k]) > 0.999 && bodies.is_near(wall.point[k], k))
         add_extent(k, wall.point[k], wall.point[k]);
   }
 }

@@ -78,7 +78,6 @@ void Session::resume(Study& study, const State& state, const std::filesystem::pa
   record_running();
   study.reopen();
   carry_out([&] {
-    record_running();
     if (!plan_.text_for_any_folder.empty()) directory_.write_file(scenario_file, plan_.text_for_any_folder);
   });
 }

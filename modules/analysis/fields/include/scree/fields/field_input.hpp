@@ -40,8 +40,8 @@ struct FieldInput {
   std::vector<FieldContact> contacts = {};
 };
 
-// Whether the forces of a simulation between two steps are those of its positions and velocities: not those
-// of position_verlet, of mid-step, and not drag, which a step evaluates at velocities that it predicts.
+// Whether the forces of a simulation between two steps belong to its present positions and velocities.
+// position_verlet has forces of mid-step, and drag is evaluated at velocities that a step predicts.
 // Otherwise Simulation::apply_reconfiguration() evaluates all forces at the present time.
 bool forces_are_present(const Simulation& simulation);
 

@@ -13,7 +13,7 @@ namespace scree::fields {
 // Row by row: component (i, j) at 3 i + j.
 using Tensor = std::array<double, 9>;
 
-// Fields at one point. In 2D volumes are those of discs of 1 m depth.
+// Fields at one point. In 2D discs are 1 m deep.
 struct FieldPoint {
   double density = 0;          // (kg/m³) Σ m φ
   double solid_fraction = 0;   // Σ (volume of a body) φ
