@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include <scree/column.hpp>
 #include <scree/strided.hpp>
@@ -27,6 +29,9 @@ class Orientations {
   // Rotates the bodies [begin, end) about their spins (rad/s) for a time (s), exactly for constant spins.
   // Round-off does not accumulate: sums are compensated, and quaternions keep their norm.
   void rotate(const Vectors<const double>& spin, double time, std::size_t begin, std::size_t end);
+
+  // Moves the bodies in memory, see Particles::rearrange.
+  void rearrange(const std::vector<std::uint32_t>& from);
 
   // Saves or restores the orientations of the first bodies.
   void transfer(const class StateTransfer& state, std::size_t bodies);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <scree/body_group.hpp>
+#include <scree/body_order.hpp>
 #include <scree/column.hpp>
 #include <scree/domain.hpp>
 #include <scree/orientations.hpp>
@@ -124,6 +125,13 @@ class Particles {
   // mid-step are kept too.
   void transfer(const class StateTransfer& state, bool mid_step);
 
+  // Where the bodies are in memory; all views and columns are by place.
+  const BodyOrder& order() const { return order_; }
+  // Moves the bodies in memory: each place takes the body at the place `from[place]`.
+  void rearrange(const std::vector<std::uint32_t>& from);
+  // A copy without scratch space, in which each body is at the place of its number.
+  void copy_in_scene_order(Particles& copy) const;
+
   // Moves the bodies to centres (m) without jumps at periodic faces, at rest and without loads.
   void come_to_rest(std::span<const Vec3> centres, const Domain& domain);
 
@@ -161,6 +169,7 @@ class Particles {
 
   int dimension_;
   bool has_spin_;
+  BodyOrder order_;
   Column<double> records_, loads_;
 };
 

@@ -1,14 +1,17 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include <scree/pair_search.hpp>
 #include <scree/particles.hpp>
 
 namespace scree {
 
 // Indices of the bodies in the order of a Morton curve through cells of twice the mean radius, so that bodies
 // that touch are close in memory too. Bodies of the same cell keep their order.
+std::vector<std::uint32_t> spatial_order(std::span<const Sphere> bodies, int dimension);
 std::vector<std::uint32_t> spatial_order(const std::vector<Body>& bodies, int dimension);
 
 }  // namespace scree

@@ -23,6 +23,8 @@ class BodyTiles {
 
   std::size_t size() const { return bodies_; }
   std::size_t count() const { return std::max<std::size_t>(1, bodies_ / usual_size); }
+  // The tile of a body.
+  std::size_t owner(std::size_t body) const { return std::min(body / usual_size, count() - 1); }
   BodyRange operator[](std::size_t tile) const {
     return {tile * usual_size, tile + 1 == count() ? bodies_ : (tile + 1) * usual_size};
   }

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include <scree/body_order.hpp>
 #include <scree/orientations.hpp>
 #include <scree/plugin/vec.hpp>
 #include <scree/state_transfer.hpp>
@@ -101,6 +102,10 @@ void Orientations::transfer(const StateTransfer& state, std::size_t bodies) {
     if (!(std::abs(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] - 1) <= tolerance))
       state.refuse("orientation", "has a quaternion whose length is not 1");
   }
+}
+
+void Orientations::rearrange(const std::vector<std::uint32_t>& from) {
+  rearrange_rows(values_, stride(), from);
 }
 
 bool Orientations::are_in(const StateTransfer& state) { return state.has("orientation"); }

@@ -67,6 +67,26 @@ void Particles::transfer_images(const StateTransfer& state) {
   for (std::size_t i = 0; i < all.size() && state.restoring(); ++i) image[i % width][i / width] = all[i];
 }
 
+void Particles::rearrange(const std::vector<std::uint32_t>& from) {
+  rearrange_rows(records_, width(), from);
+  set_load_rows(std::max<std::size_t>(size(), 1));
+  rearrange_rows(loads_, load_width(), from);
+  orientations.rearrange(from);
+  for (auto& crossed : image) rearrange_rows(crossed, 1, from);
+  rearrange_rows(mass, 1, from);
+  rearrange_rows(inertia, 1, from);
+  rearrange_rows(id, 1, from);
+  rearrange_rows(material, 1, from);
+  rearrange_rows(fixed, 1, from);
+  rearrange_rows(held, 1, from);
+  order_ = order_.moved(from);
+}
+
+void Particles::copy_in_scene_order(Particles& copy) const {
+  copy = *this;
+  if (order_.rearranged()) copy.rearrange(std::vector<std::uint32_t>(order_.back()));
+}
+
 void Particles::come_to_rest(std::span<const Vec3> centres, const Domain& domain) {
   for (std::size_t i = 0; i < size(); ++i) {
     for (int k = 0; k < dimension_; ++k) {

@@ -1,5 +1,7 @@
 #include "contacts/contact_sums.hpp"
 
+#include "machine/exact_sum.hpp"
+
 #include <scree/state_transfer.hpp>
 
 namespace scree {
@@ -15,6 +17,19 @@ void ContactSums::transfer(const StateTransfer& state) {
   state.value("created_power", "W", created_power, stored::any);
   state.value("created", "J", created, stored::any);
   state.value("max_overlap_ratio", "1", max_overlap_ratio, stored::non_negative);
+}
+
+ContactSums total_of(const std::vector<ContactSums>& tiles) {
+  ContactSums total;
+  for (double ContactSums::*const member :
+       {&ContactSums::elastic_normal, &ContactSums::elastic_tangential, &ContactSums::dissipation_rate_normal,
+        &ContactSums::dissipation_rate_tangential, &ContactSums::dissipation_rate_rolling,
+        &ContactSums::dissipated_friction, &ContactSums::dissipated_release, &ContactSums::created_power,
+        &ContactSums::created})
+    total.*member = exact_sum(tiles, [&](const ContactSums& tile) { return tile.*member; });
+  for (const ContactSums& tile : tiles)
+    total.max_overlap_ratio = std::max(total.max_overlap_ratio, tile.max_overlap_ratio);
+  return total;
 }
 
 }  // namespace scree

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <vector>
 
 namespace scree {
 
@@ -17,6 +18,9 @@ struct ContactSums {
   ContactSums& operator+=(const ContactSums& other);
   void transfer(const class StateTransfer& state);
 };
+
+// The sum over tiles, exact before it is rounded: the same bits in any order.
+ContactSums total_of(const std::vector<ContactSums>& tiles);
 
 inline ContactSums& ContactSums::operator+=(const ContactSums& other) {
   elastic_normal += other.elastic_normal;

@@ -1,7 +1,10 @@
 #include "contacts/contacts.hpp"
 
+#include "bodies/counting_sort.hpp"
+
 #include <algorithm>
 #include <cassert>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -13,24 +16,61 @@ namespace {
 
 std::uint64_t key(std::uint32_t first, std::uint32_t second) { return std::uint64_t(first) << 32 | second; }
 
-constexpr std::size_t pad(std::size_t n) { return (n + SCREE_LANES - 1) / SCREE_LANES * SCREE_LANES; }
+// Image of the pair (b, a) for the image of (a, b).
+std::uint8_t reversed(std::uint8_t image) { return std::uint8_t(2 * Domain::no_shift - image); }
 
 }  // namespace
 
-Contacts::Contacts(const std::vector<Kind>& kinds, Precision precision) {
+Contacts::Contacts(const std::vector<Kind>& kinds, Precision precision, BodyTiles tiles) : tiles_(tiles) {
   for (const Kind& kind : kinds) {
     PairGroup group;
     group.law = kind.law;
     group.planes = kind.planes;
     group.history_width = kind.history_width;
     group.history = PairColumns(precision);
-    before_.push_back({0, 0, group.history});
+    before_.push_back({0, {}, group.history});
     groups_.push_back(std::move(group));
   }
 }
 
+std::uint64_t Contacts::place_key(bool planes, std::uint32_t a, std::uint32_t b) {
+  return planes ? key(a, b) : key(std::min(a, b), std::max(a, b));
+}
+
+template <class Pairs, class First, class Second, class Take>
+void Contacts::fill(PairGroup& group, const Pairs& pairs, const First& first, const Second& second,
+                    const Take& take) {
+  group.begin = group.end = a.size();
+  group.pairs = 0;
+  group.runs.clear();
+  std::vector<std::size_t> crossing;
+  std::size_t next = 0;
+  for (std::size_t t = 0; t < tiles_.count(); ++t) {
+    const std::size_t end = t + 1 == tiles_.count() ? std::numeric_limits<std::size_t>::max() : tiles_[t].end;
+    crossing.clear();
+    std::size_t begin = a.size();
+    for (; next < pairs.size() && first(pairs[next]) < end; ++next)
+      if (second(pairs[next]) < end)
+        take(pairs[next]);
+      else
+        crossing.push_back(next);
+    close_run(group, begin);
+    begin = a.size();
+    for (const std::size_t pair : crossing) take(pairs[pair]);
+    close_run(group, begin);
+  }
+  group.history.reset(group.history_width, group.padded_size());
+}
+
+void Contacts::close_run(PairGroup& group, std::size_t begin) {
+  group.runs.push_back({begin, a.size()});
+  if (a.size() > begin) group.end = a.size();
+  group.pairs += a.size() - begin;
+  while (a.size() % SCREE_LANES) append_pair(a.back(), group.planes ? 0 : a.back(), Domain::no_shift);
+}
+
 void Contacts::rebuild(const std::vector<NeighbourPair>& bodies, const std::vector<PlanePair>& planes,
-                       const Lookup& lookup) {
+                       const Lookup& lookup, const BodyOrder& order) {
   assert(std::is_sorted(bodies.begin(), bodies.end(), [](const NeighbourPair& p, const NeighbourPair& q) {
     return std::tie(p.a, p.b) < std::tie(q.a, q.b);
   }));
@@ -39,28 +79,91 @@ void Contacts::rebuild(const std::vector<NeighbourPair>& bodies, const std::vect
   };
   std::swap(a, before_a_), std::swap(b, before_b_);
   a.clear(), b.clear(), image.clear();
-
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     PairGroup& group = groups_[g];
-    before_[g].begin = group.begin, before_[g].end = group.end;
+    before_[g].begin = group.begin;
+    std::swap(before_[g].runs, group.runs);
     std::swap(before_[g].history, group.history);
-    group.begin = a.size();
-    const auto take = [&](std::uint32_t first, std::uint32_t second, std::uint8_t code) {
-      a.push_back(first), b.push_back(second), image.push_back(code);
+    const auto take_plane = [&](const PlanePair& p) {
+      if (law_of(lookup.body_material[p.body], lookup.plane_material[p.plane]) == group.law)
+        append_pair(p.body, p.plane, Domain::no_shift);
     };
-    if (group.planes) {
-      for (const PlanePair& p : planes)
-        if (law_of(lookup.body_material[p.body], lookup.plane_material[p.plane]) == group.law)
-          take(p.body, p.plane, Domain::no_shift);
-    } else {
-      for (const NeighbourPair& p : bodies)
-        if (law_of(lookup.body_material[p.a], lookup.body_material[p.b]) == group.law)
-          take(p.a, p.b, p.image);
-    }
-    append_padding(group);
+    const auto take_bodies = [&](const NeighbourPair& p) {
+      const bool turned = order.number(p.a) > order.number(p.b);
+      const std::uint32_t first = turned ? p.b : p.a, second = turned ? p.a : p.b;
+      if (law_of(lookup.body_material[first], lookup.body_material[second]) == group.law)
+        append_pair(first, second, turned ? reversed(p.image) : p.image);
+    };
+    const auto body_of = [](const PlanePair& p) { return p.body; };
+    if (group.planes)
+      fill(group, planes, body_of, body_of, take_plane);
+    else
+      fill(
+          group, bodies, [](const NeighbourPair& p) { return p.a; },
+          [](const NeighbourPair& p) { return p.b; }, take_bodies);
   }
   carry_history();
   ++revision_;
+}
+
+std::vector<PairColumns::Move> Contacts::fill_unsorted(PairGroup& group, std::vector<Listed>& pairs) {
+  const auto key_of = [&](const Listed& p) { return place_key(group.planes, p.a, p.b); };
+  std::sort(pairs.begin(), pairs.end(),
+            [&](const Listed& p, const Listed& q) { return key_of(p) < key_of(q); });
+  std::vector<PairColumns::Move> rows;
+  const auto first = [&](const Listed& p) { return group.planes ? p.a : std::min(p.a, p.b); };
+  const auto second = [&](const Listed& p) { return group.planes ? p.a : std::max(p.a, p.b); };
+  fill(group, pairs, first, second, [&](const Listed& p) {
+    rows.push_back({p.row, std::uint32_t(a.size() - group.begin)});
+    append_pair(p.a, p.b, p.image);
+  });
+  return rows;
+}
+
+void Contacts::rearrange(const std::vector<std::uint32_t>& from) {
+  std::vector<std::uint32_t> to(from.size());
+  for (std::size_t place = 0; place < from.size(); ++place) to[from[place]] = std::uint32_t(place);
+  const Column<std::uint32_t> old_a = std::exchange(a, {}), old_b = std::exchange(b, {});
+  const Column<std::uint8_t> old_image = std::exchange(image, {});
+  for (PairGroup& group : groups_) {
+    std::vector<Listed> pairs;
+    pairs.reserve(group.pairs);
+    group.each_pair([&](std::size_t q) {
+      pairs.push_back({to[old_a[q]], group.planes ? old_b[q] : to[old_b[q]], old_image[q],
+                       std::uint32_t(q - group.begin)});
+    });
+    const PairColumns history = std::exchange(group.history, PairColumns(group.history.precision()));
+    const std::vector<PairColumns::Move> rows = fill_unsorted(group, pairs);
+    group.history.take(history, rows);
+  }
+  ++revision_;
+}
+
+Contacts::Crossing Contacts::crossing() const {
+  Crossing count;
+  for (const PairGroup& group : groups_) {
+    if (group.planes) continue;
+    count.pairs += group.pairs;
+    for (std::size_t r = 1; r < group.runs.size(); r += 2)
+      count.crossing += group.runs[r].end - group.runs[r].begin;
+  }
+  return count;
+}
+
+std::vector<std::size_t> Contacts::in_scene_order(const PairGroup& group, const BodyOrder& order) const {
+  std::vector<std::size_t> pairs(group.pairs);
+  if (group.pairs == 0) return pairs;
+  std::vector<std::uint32_t> first;
+  counting_sort(
+      tiles_.size() + 1, first, [&](const auto& visit) { group.each_pair(visit); },
+      [&](std::size_t q) { return tiles_.count() == 1 && !order.rearranged() ? 0 : order.number(a[q]); },
+      [&](std::size_t q, std::size_t index) { pairs[index] = q; });
+  const auto second = [&](std::size_t q) { return group.planes ? b[q] : order.number(b[q]); };
+  if (tiles_.count() == 1 && !order.rearranged()) return pairs;
+  for (std::size_t k = 0; k + 1 < first.size(); ++k)
+    std::sort(pairs.begin() + first[k], pairs.begin() + first[k + 1],
+              [&](std::size_t p, std::size_t q) { return second(p) < second(q); });
+  return pairs;
 }
 
 void Contacts::clear_histories() {
@@ -68,28 +171,26 @@ void Contacts::clear_histories() {
 }
 
 void Contacts::append(std::size_t group, const std::vector<PlanePair>& pairs) {
-  groups_[group].begin = a.size();
-  for (const PlanePair& p : pairs)
-    a.push_back(p.body), b.push_back(p.plane), image.push_back(Domain::no_shift);
-  append_padding(groups_[group]);
+  const auto body_of = [](const PlanePair& p) { return p.body; };
+  fill(groups_[group], pairs, body_of, body_of,
+       [&](const PlanePair& p) { append_pair(p.body, p.plane, Domain::no_shift); });
 }
 
-void Contacts::append_padding(PairGroup& group) {
-  group.end = a.size();
-  while (a.size() % SCREE_LANES)
-    a.push_back(a.back()), b.push_back(group.planes ? 0 : a.back()), image.push_back(Domain::no_shift);
-  group.history.reset(group.history_width, group.padded_size());
-}
-
-Contacts::Place Contacts::find(bool plane, std::uint32_t first, std::uint32_t second) {
+Contacts::Place Contacts::find(bool plane, std::uint32_t first, std::uint32_t second,
+                               const BodyOrder& order) {
+  const std::uint32_t one = order.place(first), other = plane ? second : order.place(second);
+  const std::uint64_t wanted = place_key(plane, one, other);
+  const std::size_t tile = tiles_.owner(plane ? one : std::min(one, other));
+  const bool crosses = !plane && tiles_.owner(std::max(one, other)) != tile;
   for (PairGroup& group : groups_) {
-    if (group.planes != plane) continue;
-    std::size_t low = group.begin, high = group.end;
+    if (group.planes != plane || group.runs.empty()) continue;
+    const PairRun& run = group.runs[2 * tile + (crosses ? 1 : 0)];
+    std::size_t low = run.begin, high = run.end;
     while (low < high) {
       const std::size_t middle = (low + high) / 2;
-      key(a[middle], b[middle]) < key(first, second) ? low = middle + 1 : high = middle;
+      place_key(plane, a[middle], b[middle]) < wanted ? low = middle + 1 : high = middle;
     }
-    if (low < group.end && key(a[low], b[low]) == key(first, second)) return {&group, low - group.begin};
+    if (low < run.end && place_key(plane, a[low], b[low]) == wanted) return {&group, low - group.begin};
   }
   return {nullptr, 0};
 }
@@ -100,13 +201,16 @@ void Contacts::carry_history() {
     const Before& before = before_[g];
     if (now.history_width == 0 || before.history.width() == 0) continue;
     kept_rows_.clear();
-    std::size_t p = before.begin;
-    for (std::size_t q = now.begin; q < now.end; ++q) {
-      const std::uint64_t pair = key(a[q], b[q]);
-      while (p < before.end && key(before_a_[p], before_b_[p]) < pair) ++p;
-      if (p == before.end) break;
-      if (key(before_a_[p], before_b_[p]) == pair)
-        kept_rows_.push_back({std::uint32_t(p - before.begin), std::uint32_t(q - now.begin)});
+    for (std::size_t r = 0; r < now.runs.size(); ++r) {
+      std::size_t p = before.runs[r].begin;
+      const std::size_t end = before.runs[r].end;
+      for (std::size_t q = now.runs[r].begin; q < now.runs[r].end; ++q) {
+        const std::uint64_t pair = place_key(now.planes, a[q], b[q]);
+        while (p < end && place_key(now.planes, before_a_[p], before_b_[p]) < pair) ++p;
+        if (p == end) break;
+        if (before_a_[p] == a[q] && before_b_[p] == b[q])
+          kept_rows_.push_back({std::uint32_t(p - before.begin), std::uint32_t(q - now.begin)});
+      }
     }
     now.history.take(before.history, kept_rows_);
   }

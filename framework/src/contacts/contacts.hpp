@@ -1,10 +1,12 @@
 #pragma once
 
+#include "bodies/body_range.hpp"
 #include "contacts/pair_columns.hpp"
 
 #include <cstdint>
 #include <vector>
 
+#include <scree/body_order.hpp>
 #include <scree/column.hpp>
 #include <scree/pair_search.hpp>
 #include <scree/plugin/abi.h>
@@ -16,22 +18,44 @@ struct PlanePair {
   std::uint32_t body, plane;
 };
 
+constexpr std::size_t padded_to_lanes(std::size_t pairs) {
+  return (pairs + SCREE_LANES - 1) / SCREE_LANES * SCREE_LANES;
+}
+
+// Pairs [begin, end) of one tile, filled up to a multiple of SCREE_LANES with padding.
+struct PairRun {
+  std::size_t begin = 0, end = 0;
+
+  std::size_t padded_size() const { return padded_to_lanes(end - begin); }
+};
+
 // Candidate pairs with the same law and the same kind of partner: a contiguous range of the pair arrays.
 struct PairGroup {
   std::uint32_t law = 0;
   bool planes = false;    // b is a plane
   std::size_t begin = 0;  // multiple of SCREE_LANES
-  std::size_t end = 0;    // behind the last real pair; padded to the next multiple of SCREE_LANES
+  std::size_t end = 0;    // behind the last pair; padded to the next multiple of SCREE_LANES
+  std::size_t pairs = 0;  // without padding
+  // Of each tile two: pairs inside the tile, then pairs with bodies of later tiles.
+  std::vector<PairRun> runs = {};
   std::uint32_t history_width = 0;
   PairColumns history = PairColumns();  // (width, padded size), zero where the pair does not touch
 
-  std::size_t padded_size() const { return (end - begin + SCREE_LANES - 1) / SCREE_LANES * SCREE_LANES; }
+  std::size_t padded_size() const { return padded_to_lanes(end - begin); }
+  // Calls visit(pair) for all pairs without padding.
+  template <class Visit>
+  void each_pair(const Visit& visit) const {
+    for (const PairRun& run : runs)
+      for (std::size_t q = run.begin; q < run.end; ++q) visit(q);
+  }
   // History value k of a pair, which is numbered over all groups.
   double history_of(std::size_t pair, std::uint32_t k) const { return history.value(k, pair - begin); }
 };
 
 // All candidate pairs of a scene in a fixed order, with the histories of their laws. The pairs change only in
-// a neighbour search; a pair touches while its overlap is positive.
+// a neighbour search; a pair touches while its overlap is positive. Bodies are listed by their places in
+// memory; of two bodies, a has the lower number, so that histories keep their sense when bodies are moved in
+// memory. A pair belongs to the tile of its body with the lower place.
 class Contacts {
  public:
   // A combination of law and kind of partner that gets a group; groups are empty until `rebuild`.
@@ -48,11 +72,25 @@ class Contacts {
     const std::uint32_t* plane_material = nullptr;
   };
 
-  explicit Contacts(const std::vector<Kind>& kinds = {}, Precision precision = Precision::double_precision);
+  // tiles: into which the pairs are divided.
+  explicit Contacts(const std::vector<Kind>& kinds = {}, Precision precision = Precision::double_precision,
+                    BodyTiles tiles = BodyTiles(0));
 
-  // Replaces the pairs (sorted by a, b) and keeps the histories of pairs that existed before.
+  // Replaces the pairs (of places, sorted by a, b) and keeps the histories of pairs that existed before.
   void rebuild(const std::vector<NeighbourPair>& bodies, const std::vector<PlanePair>& planes,
-               const Lookup& lookup);
+               const Lookup& lookup, const BodyOrder& order = {});
+
+  // After bodies have been moved in memory: each place has taken the body at the place `from[place]`.
+  void rearrange(const std::vector<std::uint32_t>& from);
+
+  // Pairs of bodies without padding, and how many of them are not inside a tile.
+  struct Crossing {
+    std::size_t pairs = 0, crossing = 0;
+  };
+  Crossing crossing() const;
+
+  // The pairs of a group in the order of their numbers, a first.
+  std::vector<std::size_t> in_scene_order(const PairGroup& group, const BodyOrder& order) const;
 
   // Sets all histories to 0, as of pairs that do not touch.
   void clear_histories();
@@ -61,36 +99,64 @@ class Contacts {
   // not replaced by `rebuild`.
   void append(std::size_t group, const std::vector<PlanePair>& pairs);
 
-  // Pairs and histories, with as many bodies and planes as the scene has.
-  void transfer(const class StateTransfer& state, std::size_t bodies, std::size_t planes);
+  // Pairs and histories in scene order, with as many planes as the scene has.
+  void transfer(const class StateTransfer& state, const BodyOrder& order, std::size_t planes);
 
-  // The group of a pair and its row there; no group if it is not listed.
+  // The group of a pair, given by the numbers of its bodies, and its row there; no group if it is not listed.
   struct Place {
     PairGroup* group;
     std::size_t row;
   };
-  Place find(bool plane, std::uint32_t first, std::uint32_t second);
+  Place find(bool plane, std::uint32_t first, std::uint32_t second, const BodyOrder& order = {});
 
   std::vector<PairGroup>& groups() { return groups_; }
   const std::vector<PairGroup>& groups() const { return groups_; }
   std::size_t padded_size() const { return a.size(); }
 
-  Column<std::uint32_t> a, b;  // padding: the last a of its group with itself, or with the first plane
+  Column<std::uint32_t> a, b;  // padding: the last a of its run with itself, or with the first plane
   Column<std::uint8_t> image;
 
   // Number of rebuilds; data derived from the pairs is recomputed when it changes.
   std::uint64_t revision() const { return revision_; }
 
  private:
+  // A pair by its places, and where its history comes from.
+  struct Listed {
+    std::uint32_t a, b;
+    std::uint8_t image;
+    std::uint32_t row;
+  };
+  // By which the pairs of a run are sorted: of two bodies, the lower place first.
+  static std::uint64_t place_key(bool planes, std::uint32_t a, std::uint32_t b);
+  // Replaces the pairs of a group by those of a range, sorted by their place keys. take(pair) returns whether
+  // the pair belongs to the group and then has appended it; first(pair), second(pair) are its places, the
+  // lower first.
+  template <class Pairs, class First, class Second, class Take>
+  void fill(PairGroup& group, const Pairs& pairs, const First& first, const Second& second, const Take& take);
+  // The same for pairs in any order; the histories are to be moved.
+  std::vector<PairColumns::Move> fill_unsorted(PairGroup& group, std::vector<Listed>& pairs);
+  void append_pair(std::uint32_t first, std::uint32_t second, std::uint8_t code) {
+    a.push_back(first), b.push_back(second), image.push_back(code);
+  }
   void carry_history();
-  void append_padding(PairGroup& group);
+  // The pairs of a group in a state; return the row of each in the group.
+  std::vector<std::uint32_t> save_pairs(const class StateTransfer& state, const PairGroup& group,
+                                        const BodyOrder& order) const;
+  std::vector<std::uint32_t> restore_pairs(const class StateTransfer& state, PairGroup& group,
+                                           const BodyOrder& order, std::size_t planes);
+  static void transfer_history(const class StateTransfer& state, PairGroup& group,
+                               const std::vector<std::uint32_t>& storage);
+  // Ends a run that has begun at a pair, and fills it up.
+  void close_run(PairGroup& group, std::size_t begin);
 
   // A group before the last rebuild; its memory is reused by the next.
   struct Before {
-    std::size_t begin = 0, end = 0;
+    std::size_t begin = 0;
+    std::vector<PairRun> runs = {};
     PairColumns history = PairColumns();
   };
 
+  BodyTiles tiles_;
   std::vector<PairGroup> groups_;
   std::vector<Before> before_;
   Column<std::uint32_t> before_a_, before_b_;

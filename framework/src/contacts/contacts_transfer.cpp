@@ -28,60 +28,70 @@ void check(const StateTransfer& state, const Pairs& pairs, bool with_planes, std
   }
 }
 
-std::vector<std::uint32_t> rows_with_history(const PairGroup& group) {
-  std::vector<std::uint32_t> rows;
-  for (std::size_t row = 0; row < group.end - group.begin; ++row)
-    if (group.history.is_used(row)) rows.push_back(std::uint32_t(row));
-  return rows;
-}
-
-void transfer_history(const StateTransfer& state, PairGroup& group) {
-  if (group.history_width == 0) return;
-  std::vector<std::uint32_t> rows;
-  if (!state.restoring()) rows = rows_with_history(group);
-  state.rows("history_row", "", rows);
-  for (const std::uint32_t row : rows)
-    if (row >= group.end - group.begin) state.refuse("history_row", "lists a pair that there is not");
-  group.history.transfer(state, "history", "1", rows);
-}
-
 }  // namespace
 
-void Contacts::transfer(const StateTransfer& state, std::size_t bodies, std::size_t planes) {
+// history_row counts the pairs of the group in scene order; storage has their rows in the group.
+void Contacts::transfer_history(const StateTransfer& state, PairGroup& group,
+                                const std::vector<std::uint32_t>& storage) {
+  if (group.history_width == 0) return;
+  std::vector<std::uint32_t> rows, stored;
+  for (std::size_t k = 0; !state.restoring() && k < storage.size(); ++k)
+    if (group.history.is_used(storage[k])) rows.push_back(std::uint32_t(k));
+  state.rows("history_row", "", rows);
+  for (const std::uint32_t row : rows) {
+    if (row >= storage.size()) state.refuse("history_row", "lists a pair that there is not");
+    stored.push_back(storage[row]);
+  }
+  group.history.transfer(state, "history", "1", stored);
+}
+
+std::vector<std::uint32_t> Contacts::save_pairs(const StateTransfer& state, const PairGroup& group,
+                                                const BodyOrder& order) const {
+  Pairs pairs;
+  std::vector<std::uint32_t> storage;
+  for (const std::size_t q : in_scene_order(group, order)) {
+    pairs.a.push_back(order.number(a[q]));
+    pairs.b.push_back(group.planes ? b[q] : order.number(b[q]));
+    pairs.image.push_back(image[q]);
+    storage.push_back(std::uint32_t(q - group.begin));
+  }
+  state.moved_rows("a", "", pairs.a);
+  state.moved_rows("b", "", pairs.b);
+  state.moved_rows("image", "", pairs.image);
+  return storage;
+}
+
+std::vector<std::uint32_t> Contacts::restore_pairs(const StateTransfer& state, PairGroup& group,
+                                                   const BodyOrder& order, std::size_t planes) {
+  Pairs pairs;
+  state.rows("a", "", pairs.a);
+  pairs.b.resize(pairs.a.size()), pairs.image.resize(pairs.a.size());
+  state.moved_rows("b", "", pairs.b);
+  state.moved_rows("image", "", pairs.image);
+  check(state, pairs, group.planes, tiles_.size(), planes);
+  std::vector<Listed> listed(pairs.a.size());
+  for (std::uint32_t k = 0; k < listed.size(); ++k)
+    listed[k] = {order.place(pairs.a[k]), group.planes ? pairs.b[k] : order.place(pairs.b[k]), pairs.image[k],
+                 k};
+  std::vector<std::uint32_t> storage(listed.size());
+  for (const PairColumns::Move& row : fill_unsorted(group, listed)) storage[row.from] = row.to;
+  return storage;
+}
+
+void Contacts::transfer(const StateTransfer& state, const BodyOrder& order, std::size_t planes) {
   if (state.restoring()) a.clear(), b.clear(), image.clear();
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     PairGroup& group = groups_[g];
     const StateTransfer of_group = state.below(std::to_string(g));
-    Pairs pairs;
-    if (!state.restoring()) {
-      const auto begin = std::ptrdiff_t(group.begin), end = std::ptrdiff_t(group.end);
-      pairs = {{a.begin() + begin, a.begin() + end},
-               {b.begin() + begin, b.begin() + end},
-               {image.begin() + begin, image.begin() + end}};
-    }
     std::uint32_t law = group.law;
     bool with_planes = group.planes;
     of_group.value("law", "", law);
     of_group.value("planes", "", with_planes);
     if (law != group.law || with_planes != group.planes)
       of_group.refuse("law", "is the law of other contacts");
-    if (state.restoring()) {
-      of_group.rows("a", "", pairs.a);
-      pairs.b.resize(pairs.a.size()), pairs.image.resize(pairs.a.size());
-    } else {
-      of_group.moved_rows("a", "", pairs.a);
-    }
-    of_group.moved_rows("b", "", pairs.b);
-    of_group.moved_rows("image", "", pairs.image);
-    if (state.restoring()) {
-      check(of_group, pairs, group.planes, bodies, planes);
-      group.begin = a.size();
-      a.insert(a.end(), pairs.a.begin(), pairs.a.end());
-      b.insert(b.end(), pairs.b.begin(), pairs.b.end());
-      image.insert(image.end(), pairs.image.begin(), pairs.image.end());
-      append_padding(group);
-    }
-    transfer_history(of_group, group);
+    transfer_history(of_group, group,
+                     state.restoring() ? restore_pairs(of_group, group, order, planes)
+                                       : save_pairs(of_group, group, order));
   }
   if (state.restoring()) ++revision_;
 }

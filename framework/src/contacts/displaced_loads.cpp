@@ -71,11 +71,11 @@ void DisplacedLoads::take(const Scene& scene, std::size_t plane, PlanePairs& pai
     if (!all.planes) continue;
     std::vector<PairColumns::Move>& rows = pairs.rows[next];
     std::vector<PlanePair> of_plane;
-    for (std::size_t q = all.begin; q < all.end; ++q) {
-      if (scene.contacts.b[q] != plane) continue;
+    all.each_pair([&](std::size_t q) {
+      if (scene.contacts.b[q] != plane) return;
       rows.push_back({std::uint32_t(q - all.begin), std::uint32_t(rows.size())});
       of_plane.push_back({scene.contacts.a[q], std::uint32_t(plane)});
-    }
+    });
     pairs.contacts.append(next++, of_plane);
   }
   pairs.constants.update(pairs.contacts, scene.particles, reads_of(scene.laws), false);

@@ -3,6 +3,7 @@
 #include "contacts/kernel/block.hpp"
 #include "contacts/kernel/evaluate.hpp"
 #include "contacts/tile_schedule.hpp"
+#include "machine/exact_sum.hpp"
 
 #include <algorithm>
 #include <array>
@@ -21,7 +22,7 @@ struct Forces::Work {
   kernel::Tiles tiles;
   kernel::PlaneRecords planes;
   PairConstants constants;
-  std::vector<ContactSums> block_sums;
+  std::vector<ContactSums> block_sums, tile_sums;
   TileSchedule schedule;
   double max_overlap_ratio = 0;  // largest so far
 };
@@ -38,10 +39,13 @@ std::array<double, 4 * 27> image_shifts(const Domain& domain) {
   return shifts;
 }
 
-ContactSums add_up(const std::vector<ContactSums>& blocks) {
-  ContactSums total;
-  for (const ContactSums& block : blocks) total += block;
-  return total;
+// Of each tile, the sum over its blocks in order.
+void add_up(const kernel::Tiles& tiles, const std::vector<ContactSums>& blocks,
+            std::vector<ContactSums>& sums) {
+  sums.assign(tiles.tiles().size(), {});
+  for (std::size_t t = 0; t < sums.size(); ++t)
+    for (std::size_t k = tiles.tiles()[t].first_block; k < tiles.tiles()[t].last_block; ++k)
+      sums[t] += blocks[k];
 }
 
 }  // namespace
@@ -109,7 +113,8 @@ ContactSums Forces::evaluate(const Evaluation& e, ThreadPool& threads, const Fin
         finish_part(part, worker);
       });
   sum_loads(e.particles, e.loads);
-  ContactSums sums = add_up(work.block_sums);
+  add_up(work.tiles, work.block_sums, work.tile_sums);
+  ContactSums sums = total_of(work.tile_sums);
   work.max_overlap_ratio = sums.max_overlap_ratio = std::max(work.max_overlap_ratio, sums.max_overlap_ratio);
   return sums;
 }
@@ -125,12 +130,15 @@ void Forces::collect(Particles& particles, std::size_t part) const {
 void Forces::sum_loads(const Particles& particles, std::vector<scree_load>& loads) const {
   const kernel::Tiles& tiles = work_->tiles;
   const std::size_t width = particles.load_width();
-  for (std::size_t plane = 0; plane < loads.size(); ++plane) {
-    kernel::Four sum = {};
-    for (std::size_t tile = 0; tile < tiles.tiles().size(); ++tile)
-      sum += kernel::load_four(particles.loads() + tiles.plane_slot(tile, plane) * width);
-    loads[plane] = {sum[0], sum[1], features_.dimension == 3 ? sum[2] : 0};
-  }
+  for (std::size_t plane = 0; plane < loads.size(); ++plane)
+    for (std::size_t k = 0; k < 3; ++k)
+      loads[plane].force[k] =
+          int(k) < features_.dimension
+              ? exact_sum(tiles.tiles(),
+                          [&](const kernel::Tiles::Tile& tile) {
+                            return particles.loads()[(tile.first_own + plane) * width + k];
+                          })
+              : 0;
 }
 
 Vec3 Forces::pair_force(std::size_t p) const {
@@ -151,13 +159,23 @@ void Forces::transfer(const StateTransfer& state, Particles& particles, const Co
   state.value("max_overlap_ratio", "1", work_->max_overlap_ratio, stored::non_negative);
   if (!features_.pair_forces) return;
   PairColumns& force = work_->constants.force;
-  std::vector<std::uint32_t> rows;
-  for (std::uint32_t row = 0; !state.restoring() && row < contacts.padded_size(); ++row)
-    if (force.is_used(row)) rows.push_back(row);
+  // Counted through the pairs of all groups in scene order, each group filled up to whole lanes.
+  constexpr std::uint32_t padding = ~std::uint32_t(0);
+  std::vector<std::uint32_t> pairs, rows, stored;
+  for (const PairGroup& group : contacts.groups()) {
+    for (const std::size_t q : contacts.in_scene_order(group, particles.order()))
+      pairs.push_back(std::uint32_t(q));
+    pairs.resize(padded_to_lanes(pairs.size()), padding);
+  }
+  for (std::uint32_t row = 0; !state.restoring() && row < pairs.size(); ++row)
+    if (pairs[row] != padding && force.is_used(pairs[row])) rows.push_back(row);
   state.rows("force_row", "", rows);
-  for (const std::uint32_t row : rows)
-    if (row >= contacts.padded_size()) state.refuse("force_row", "lists a pair that there is not");
-  force.transfer(state, "force", "N", rows);
+  for (const std::uint32_t row : rows) {
+    if (row >= pairs.size() || pairs[row] == padding)
+      state.refuse("force_row", "lists a pair that there is not");
+    stored.push_back(pairs[row]);
+  }
+  force.transfer(state, "force", "N", stored);
 }
 
 bool Forces::are_in(const State& state) { return state.has("contacts/force_row"); }

@@ -19,7 +19,7 @@ void PairConstants::update(const Contacts& contacts, const Particles& p, std::ui
     if (term.size() > 0) term.set(0, q, value);
   };
   for (const PairGroup& group : contacts.groups()) {
-    for (std::size_t q = group.begin; q < group.end; ++q) {
+    group.each_pair([&](std::size_t q) {
       const std::uint32_t a = contacts.a[q], b = contacts.b[q];
       const double mass = group.planes ? reduced_mass(p.inverse_mass_at_wall(a), 0)
                                        : reduced_mass(p.inverse_mass()[a], p.inverse_mass()[b]);
@@ -28,12 +28,13 @@ void PairConstants::update(const Contacts& contacts, const Particles& p, std::ui
       set(SCREE_REDUCED_MASS, q, mass);
       set(SCREE_REDUCED_MASS_ROOT, q, std::sqrt(mass));
       set(SCREE_EFFECTIVE_RADIUS, q, effective_radius(radius_a, radius_b, group.planes));
-    }
-    for (std::size_t q = group.end; q < group.begin + group.padded_size(); ++q) {
-      radius_sum[q] = -1;
-      for (PairColumns& term : terms)
-        if (term.size() > 0) term.set(0, q, 1);
-    }
+    });
+    for (const PairRun& run : group.runs)
+      for (std::size_t q = run.end; q < run.begin + run.padded_size(); ++q) {
+        radius_sum[q] = -1;
+        for (PairColumns& term : terms)
+          if (term.size() > 0) term.set(0, q, 1);
+      }
   }
 }
 

@@ -32,18 +32,19 @@ std::vector<std::size_t> sorted_by_bodies(const ContactList& list) {
 }  // namespace
 
 StartSprings place_springs(const std::vector<Scene::Spring>& springs, const ContactList& touching,
-                           const std::vector<LawInstance>& laws, int dimension, Contacts& contacts) {
+                           const std::vector<LawInstance>& laws, int dimension, Contacts& contacts,
+                           const BodyOrder& order) {
   StartSprings result;
-  const std::vector<std::size_t> order = sorted_by_bodies(touching);
+  const std::vector<std::size_t> sorted = sorted_by_bodies(touching);
   for (const Scene::Spring& spring : springs) {
     // In the list of contacts, a is the first of two bodies.
     const auto [first, second] = std::minmax(spring.a, spring.b);
     const auto place =
-        std::lower_bound(order.begin(), order.end(), std::pair(first, second),
+        std::lower_bound(sorted.begin(), sorted.end(), std::pair(first, second),
                          [&](std::size_t k, const std::pair<std::uint32_t, std::uint32_t>& bodies) {
                            return std::pair(touching.a[k], touching.b[k]) < bodies;
                          });
-    const bool touch = place != order.end() && touching.a[*place] == first && touching.b[*place] == second;
+    const bool touch = place != sorted.end() && touching.a[*place] == first && touching.b[*place] == second;
     if (!touch) {
       ++result.apart;
       continue;
@@ -55,7 +56,7 @@ StartSprings place_springs(const std::vector<Scene::Spring>& springs, const Cont
     const Vec3 normal = normal_of(touching, *place);
     const Vec3 along = spring.a == first ? spring.displacement : -1.0 * spring.displacement;
     const Vec3 tangential = along - dot(along, normal) * normal;
-    const auto [group, row] = contacts.find(false, first, second);
+    const auto [group, row] = contacts.find(false, first, second, order);
     for (int k = 0; k < dimension; ++k) group->history.set(std::uint32_t(k), row, tangential[k]);
     ++result.placed;
   }

@@ -21,6 +21,7 @@ struct StartSprings {
 // Gives touching pairs their springs, without the components along the normal. A law has room for one if its
 // history begins with spring_x, spring_y and, in three dimensions, spring_z.
 StartSprings place_springs(const std::vector<Scene::Spring>& springs, const ContactList& touching,
-                           const std::vector<LawInstance>& laws, int dimension, Contacts& contacts);
+                           const std::vector<LawInstance>& laws, int dimension, Contacts& contacts,
+                           const BodyOrder& order);
 
 }  // namespace scree

@@ -19,10 +19,11 @@ void append(std::vector<double>& columns, const Vec3& v) {
 ContactList touching_contacts(const Particles& p, const Contacts& contacts, const Forces& forces,
                               const std::vector<LawInstance>& laws, const std::vector<scree_plane>& planes,
                               const Domain& domain) {
+  const BodyOrder& order = p.order();
   ContactList list;
   for (const PairGroup& group : contacts.groups()) {
     const int sliding_column = laws[group.law].interface.sliding_column;
-    for (std::size_t q = group.begin; q < group.end; ++q) {
+    for (const std::size_t q : contacts.in_scene_order(group, order)) {
       const std::uint32_t a = contacts.a[q], b = contacts.b[q];
       Vec3 normal = {};
       double distance = 0, reach = p.radius()[a];
@@ -37,8 +38,8 @@ ContactList touching_contacts(const Particles& p, const Contacts& contacts, cons
         reach += p.radius()[b];
       }
       if (!(distance < reach)) continue;
-      list.a.push_back(a);
-      list.b.push_back(group.planes ? std::uint32_t(p.size()) + b : b);
+      list.a.push_back(order.number(a));
+      list.b.push_back(group.planes ? std::uint32_t(p.size()) + b : order.number(b));
       append(list.normal, normal);
       append(list.force, forces.pair_force(q));
       list.overlap.push_back(reach - distance);

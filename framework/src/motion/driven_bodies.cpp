@@ -50,6 +50,19 @@ void DrivenBodies::Entries::sort(std::size_t bodies) {
         entries.begin()));
 }
 
+void DrivenBodies::Entries::rearrange(const std::vector<std::uint32_t>& to) {
+  for (Entry& entry : entries) entry.body = to[entry.body];
+  sort(to.size());
+}
+
+void DrivenBodies::rearrange(const std::vector<std::uint32_t>& from) {
+  if (!any()) return;
+  std::vector<std::uint32_t> to(from.size());
+  for (std::size_t place = 0; place < from.size(); ++place) to[from[place]] = std::uint32_t(place);
+  held_.rearrange(to);
+  loaded_.rearrange(to);
+}
+
 DrivenBodies::DrivenBodies(const Scene& scene, Particles& particles) {
   const freedom::Mask carried = particles.components();
   std::vector<freedom::Mask> driven(scene.bodies.size(), 0);

@@ -26,6 +26,9 @@ class DrivenBodies {
     return any() && !(held_.of(part).empty() && loaded_.of(part).empty());
   }
 
+  // Moves the bodies in memory, see Particles::rearrange.
+  void rearrange(const std::vector<std::uint32_t>& from);
+
   // A step from `time`, and the evaluation of forces in it, `elapsed` after the last one at `force_time` (s).
   struct Times {
     double time, step, force_time, elapsed;
@@ -64,6 +67,7 @@ class DrivenBodies {
     std::vector<std::size_t> first;  // of each part, and the end
 
     void sort(std::size_t bodies);
+    void rearrange(const std::vector<std::uint32_t>& to);
     std::span<const Entry> of(std::size_t part) const {
       return {entries.data() + first[part], first[part + 1] - first[part]};
     }

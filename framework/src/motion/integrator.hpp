@@ -2,8 +2,10 @@
 
 #include "bodies/body_range.hpp"
 
+#include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include <scree/integration.hpp>
 #include <scree/particles.hpp>
@@ -42,8 +44,11 @@ class Integrator {
   virtual void restart() {}
 
   // What the integrator keeps besides positions and velocities; nothing by default.
-  virtual void add_to_hash(StateHash&) const {}
-  virtual void transfer(const StateTransfer&) {}
+  // In scene order.
+  virtual void add_to_hash(StateHash&, const BodyOrder&) const {}
+  virtual void transfer(const StateTransfer&, const BodyOrder&) {}
+  // Moves the bodies in memory, see Particles::rearrange.
+  virtual void rearrange(const std::vector<std::uint32_t>& /*from*/) {}
 };
 
 std::unique_ptr<Integrator> make_integrator(Integration integration);

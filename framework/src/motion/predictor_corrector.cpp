@@ -2,6 +2,8 @@
 
 #include "motion/motion.hpp"
 
+#include <utility>
+
 namespace scree {
 
 using namespace kernel;
@@ -53,19 +55,44 @@ bool PredictorCorrector::finish_step(Particles& particles, double step, BodyRang
   return finite.all_finite();
 }
 
-void PredictorCorrector::add_to_hash(StateHash& hash) const {
-  for (const auto* column : {&second_, &third_, &fourth_}) hash.add(column->data(), column->size());
+namespace {
+
+// Rows of equal length, one of each body.
+Column<double> in_scene_order(Column<double> derivatives, const BodyOrder& order) {
+  if (order.rearranged()) rearrange_rows(derivatives, derivatives.size() / order.back().size(), order.back());
+  return derivatives;
 }
 
-// Terms h²/2 x", h³/6 x‴ and h⁴/24 x⁗: lengths for translations, angles for rotations.
-void PredictorCorrector::transfer(const StateTransfer& state) {
-  state.rows("second", "m or rad", second_, 4);
+}  // namespace
+
+void PredictorCorrector::add_to_hash(StateHash& hash, const BodyOrder& order) const {
+  for (const auto* column : {&second_, &third_, &fourth_}) {
+    const Column<double> derivatives = in_scene_order(*column, order);
+    hash.add(derivatives.data(), derivatives.size());
+  }
+}
+
+// Terms h²/2 x", h³/6 x‴ and h⁴/24 x⁗: lengths for translations, angles for rotations. Bodies are restored
+// before they are rearranged.
+void PredictorCorrector::transfer(const StateTransfer& state, const BodyOrder& order) {
+  const auto transfer_column = [&](const char* name, Column<double>& column) {
+    Column<double> derivatives = in_scene_order(column, order);
+    state.sized_rows(name, "m or rad", derivatives, 4);
+    if (state.restoring()) column = std::move(derivatives);
+  };
   if (state.restoring()) {
+    state.rows("second", "m or rad", second_, 4);
     third_.resize(second_.size());
     fourth_.resize(second_.size());
   }
-  state.sized_rows("third", "m or rad", third_, 4);
-  state.sized_rows("fourth", "m or rad", fourth_, 4);
+  transfer_column("second", second_);
+  transfer_column("third", third_);
+  transfer_column("fourth", fourth_);
+}
+
+void PredictorCorrector::rearrange(const std::vector<std::uint32_t>& from) {
+  for (auto* column : {&second_, &third_, &fourth_})
+    rearrange_rows(*column, column->size() / from.size(), from);
 }
 
 }  // namespace scree

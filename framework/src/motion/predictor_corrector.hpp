@@ -17,8 +17,9 @@ class PredictorCorrector : public Integrator {
   void restart() override {
     for (auto* column : {&second_, &third_, &fourth_}) column->clear();
   }
-  void add_to_hash(StateHash& hash) const override;
-  void transfer(const StateTransfer& state) override;
+  void add_to_hash(StateHash& hash, const BodyOrder& order) const override;
+  void transfer(const StateTransfer& state, const BodyOrder& order) override;
+  void rearrange(const std::vector<std::uint32_t>& from) override;
 
  private:
   // r_2, r_3, r_4 of each motion, four numbers each.

@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include <scree/spatial_order.hpp>
 #include <scree/state_transfer.hpp>
 
 namespace scree {
@@ -17,6 +18,10 @@ namespace {
 // Smallest skin, as a multiple of the distance by which a step may try to displace a plane: a list must last
 // for more than one step.
 constexpr double least_reaches = 8;
+
+// Bodies are sorted again when the share of pairs that cross tiles exceeds this multiple of the share after
+// they were last sorted, and a share below which sorting would gain nothing.
+constexpr double worn_ratio = 1.4, least_worn_share = 0.1;
 
 // Folds the position of a body into the periodic domain and counts the periods crossed.
 void fold(Particles& p, std::size_t i, const Domain& domain) {
@@ -30,15 +35,26 @@ void fold(Particles& p, std::size_t i, const Domain& domain) {
   }
 }
 
+// Visits every n-th pair of a group, with the number of pairs for which it stands.
+template <class Visit>
+void sample(const PairGroup& group, std::size_t n, const Visit& visit) {
+  std::size_t before = 0, next = 0;  // counted over all runs
+  for (const PairRun& run : group.runs) {
+    const std::size_t pairs = run.end - run.begin;
+    for (; next < before + pairs; next += n)
+      visit(run.begin + (next - before), double(std::min(n, group.pairs - next)));
+    before += pairs;
+  }
+}
+
 // Numbers of listed and of touching pairs of bodies, the latter estimated from a few thousand samples.
 std::pair<double, double> count_pairs(const Particles& p, const Contacts& contacts, const Domain& domain) {
   constexpr std::size_t max_samples = 2500;
   double listed = 0, touching = 0;
   for (const PairGroup& group : contacts.groups()) {
     if (group.planes) continue;
-    const std::size_t pairs = group.end - group.begin, stride = 1 + pairs / max_samples;
-    listed += double(pairs);
-    for (std::size_t q = group.begin; q < group.end; q += stride) {
+    listed += double(group.pairs);
+    sample(group, 1 + group.pairs / max_samples, [&](std::size_t q, double stands_for) {
       const std::uint32_t a = contacts.a[q], b = contacts.b[q];
       const Vec3 shift = domain.shift(contacts.image[q]);
       const double reach = p.radius()[a] + p.radius()[b];
@@ -47,8 +63,8 @@ std::pair<double, double> count_pairs(const Particles& p, const Contacts& contac
         const double difference = p.position()[k][a] - p.position()[k][b] + shift[k];
         square += difference * difference;
       }
-      touching += square < reach * reach ? double(std::min(stride, group.end - q)) : 0;
-    }
+      touching += square < reach * reach ? stands_for : 0;
+    });
   }
   return {listed, touching};
 }
@@ -156,12 +172,49 @@ void NeighbourList::rebuild(Particles& particles, const Boundaries& boundaries, 
       search_.find(bodies_at_search_, dimension, boundaries.domain(), skin_, threads);
   const std::vector<NeighbourPair> some = without_fixed_pairs(found, particles);
   contacts.rebuild(particles.fixed.empty() ? found : some,  // no copy of what was found
-                   near_planes(bodies_at_search_, boundaries, dimension, skin_), lookup);
+                   near_planes(bodies_at_search_, boundaries, dimension, skin_), lookup, particles.order());
   planes_at_search_ = boundaries.planes();
   absent_at_search_ = boundaries.absent();
   body_travel_ = plane_travel_ = 0;
   steps_ = 0;
   ++rebuilds_;
+  compare_order(contacts);
+}
+
+void NeighbourList::compare_order(const Contacts& contacts) {
+  const auto [pairs, crossing] = contacts.crossing();
+  const double share = pairs > 0 ? double(crossing) / double(pairs) : 0;
+  if (crossing_when_sorted_ == unknown) crossing_when_sorted_ = share;
+  order_is_worn_ = share > std::max(worn_ratio * crossing_when_sorted_, least_worn_share);
+}
+
+std::vector<std::uint32_t> NeighbourList::sorted_bodies(int dimension) const {
+  return spatial_order(bodies_at_search_, dimension);
+}
+
+void NeighbourList::rearrange(const std::vector<std::uint32_t>& from) {
+  rearrange_rows(bodies_at_search_, 1, from);
+  crossing_when_sorted_ = unknown;
+  order_is_worn_ = false;
+}
+
+// In scene order.
+void NeighbourList::transfer_bodies(const StateTransfer& state, const BodyOrder& order) {
+  Column<Sphere> bodies = bodies_at_search_;
+  if (order.rearranged()) rearrange_rows(bodies, 1, order.back());
+  double* const first = bodies.empty() ? nullptr : bodies[0].position.component;
+  state.vectors("position_at_search", "m", {first, sizeof(Sphere) / sizeof(double), bodies.size(), 0, 3}, 0,
+                3);
+  if (!state.restoring()) return;
+  if (order.rearranged()) rearrange_rows(bodies, 1, order.numbers());
+  bodies_at_search_ = std::move(bodies);
+}
+
+// Old states have no share; it is then measured at the next search.
+void NeighbourList::transfer_crossing(const StateTransfer& state) {
+  const char* const name = "crossing_when_sorted";
+  if (state.restoring() ? state.has(name) : crossing_when_sorted_ > 0)
+    state.value(name, "1", crossing_when_sorted_, stored::non_negative);
 }
 
 void NeighbourList::transfer(const StateTransfer& state, const Particles& particles,
@@ -179,9 +232,8 @@ void NeighbourList::transfer(const StateTransfer& state, const Particles& partic
   state.value("searches", "1", rebuilds_);
   state.value("body_travel", "m", body_travel_, stored::non_negative);
   state.value("plane_travel", "m", plane_travel_, stored::non_negative);
-  double* const first = bodies_at_search_.empty() ? nullptr : bodies_at_search_[0].position.component;
-  state.vectors("position_at_search", "m",
-                {first, sizeof(Sphere) / sizeof(double), bodies_at_search_.size(), 0, 3}, 0, 3);
+  transfer_bodies(state, particles.order());
+  transfer_crossing(state);
   transfer_planes(state.below("planes_at_search"), planes_at_search_);
 }
 

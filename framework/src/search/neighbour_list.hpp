@@ -34,6 +34,14 @@ class NeighbourList {
   // All but the pairs; the skin of the first search follows from the scene.
   void transfer(const class StateTransfer& state, const Particles& particles, const Boundaries& boundaries);
 
+  // Whether so many more pairs cross tiles than after the bodies were last sorted in memory that they should
+  // be sorted again; known after a search.
+  bool order_is_worn() const { return order_is_worn_; }
+  // The bodies of the last search along a curve in space, see spatial_order().
+  std::vector<std::uint32_t> sorted_bodies(int dimension) const;
+  // Moves the bodies in memory, see Particles::rearrange; a search must follow.
+  void rearrange(const std::vector<std::uint32_t>& from);
+
   double skin() const { return skin_; }
   // Of each plane, whether it was absent at the last search.
   const std::vector<std::uint8_t>& absent_at_search() const { return absent_at_search_; }
@@ -46,6 +54,9 @@ class NeighbourList {
     return body_travel + std::max(body_travel, plane_travel) >= skin_;
   }
   void record_positions(Particles& particles, const Domain& domain);
+  void transfer_bodies(const class StateTransfer& state, const BodyOrder& order);
+  void transfer_crossing(const class StateTransfer& state);
+  void compare_order(const Contacts& contacts);
   void measure(const Particles& particles, const Boundaries& boundaries);
   SkinChoice::ListStatistics list_statistics(const Particles& particles, const Boundaries& boundaries,
                                              const Contacts& contacts) const;
@@ -60,6 +71,9 @@ class NeighbourList {
   std::vector<scree_plane> planes_at_search_;
   std::vector<std::uint8_t> absent_at_search_;
   std::uint64_t rebuilds_ = 0;
+  static constexpr double unknown = -1;
+  double crossing_when_sorted_ = unknown;  // share of pairs that cross tiles
+  bool order_is_worn_ = false;
 };
 
 }  // namespace scree

@@ -195,7 +195,7 @@ Branch::Dropped Branch::each_row(SimulationParts& parts, const VisitRow& visit) 
     if (b == no_plane) return void(++dropped.of_walls);
     if (!stored.plane && parts.particles.is_fixed(stored.a) && parts.particles.is_fixed(b))
       return void(++dropped.of_fixed);
-    const auto [group, row] = parts.contacts.find(stored.plane, stored.a, b);
+    const auto [group, row] = parts.contacts.find(stored.plane, stored.a, b, parts.particles.order());
     if (!group && is_absent(parts, stored.plane, stored.a, b)) return void(++dropped.of_absent);
     if (!group)
       throw no_place("two bodies touch in the state and not in the scene", "keep its periodic faces",

@@ -1,4 +1,6 @@
+#include "bodies/body_range.hpp"
 #include "contacts/start_springs.hpp"
+#include "machine/exact_sum.hpp"
 #include "step/branch.hpp"
 #include "step/health.hpp"
 #include "step/simulation_parts.hpp"
@@ -55,6 +57,17 @@ bool without_exception(const Simulation& s, const Step& step) {
   }
 }
 
+// Σ w v² over bodies, in order within each tile.
+double sum_of_squares(const Vectors<const double>& v, Particles::Axes axes, const Column<double>& weight) {
+  const BodyTiles tiles(weight.size());
+  std::vector<double> sums(tiles.count(), 0);
+  for (std::size_t tile = 0; tile < sums.size(); ++tile)
+    for (int k = axes.first; k < axes.last; ++k)
+      for (std::size_t i = tiles[tile].begin; i < tiles[tile].end; ++i)
+        sums[tile] += weight[i] * v[k][i] * v[k][i];
+  return exact_sum(sums, [](double sum) { return sum; });
+}
+
 template <class Entries>
 void set_parameters(Entries& entries, const char* kind, const std::string& name,
                     const Parameters& parameters) {
@@ -108,7 +121,7 @@ void Simulation::start_springs() {
   SimulationParts& p = *parts_;
   if (p.scene.springs.empty()) return;
   const StartSprings springs =
-      place_springs(p.scene.springs, contact_list(), p.laws, dimension(), p.contacts);
+      place_springs(p.scene.springs, contact_list(), p.laws, dimension(), p.contacts, p.particles.order());
   p.stepper.reevaluate_forces(0);
   const double cut = p.contact_sums.dissipated_friction + p.contact_sums.dissipated_release;
   p.audit.add_lost(p.contact_sums);
@@ -144,6 +157,7 @@ State Simulation::state() const {
 }
 
 State Simulation::changing_state() const {
+  parts_->in_scene_order();  // before threads read it
   // Three parts that take about equally long.
   std::future<State> pairs_copied = in_background([this] {
     State pairs;
@@ -172,6 +186,7 @@ State Simulation::state_at_rest(const RestingPacking& packing) const {
 }
 
 void Simulation::advance(bool observed) {
+  parts_->copy_is_current = false;
   check_health(without_exception(*this, [&] {
     return parts_->stepper.step(observed ? Stepper::Next::observed : Stepper::Next::follows);
   }));
@@ -238,7 +253,7 @@ double Simulation::time() const { return parts_->stepper.time(); }
 double Simulation::step_length() const { return parts_->scene.step; }
 std::uint64_t Simulation::steps() const { return parts_->stepper.steps(); }
 const Scene& Simulation::scene() const { return parts_->scene; }
-const Particles& Simulation::particles() const { return parts_->particles; }
+const Particles& Simulation::particles() const { return parts_->in_scene_order(); }
 const Domain& Simulation::domain() const { return parts_->boundaries.domain(); }
 const std::vector<scree_plane>& Simulation::planes() const { return parts_->boundaries.planes(); }
 const std::vector<scree_load>& Simulation::loads() const { return parts_->boundaries.loads(); }
@@ -281,11 +296,8 @@ scree_energy Simulation::energy() const {
   const bool at_end = parts_->stepper.forces_at() == Stepper::ForcesAt::end_of_step;
   const auto velocity = at_end ? p.velocity() : p.mid_velocity();
   const auto spin = at_end ? p.spin() : p.mid_spin();
-  double translation = 0, rotation = 0;
-  for (int k = 0; k < dimension(); ++k)
-    for (std::size_t i = 0; i < p.size(); ++i) translation += p.mass[i] * velocity[k][i] * velocity[k][i];
-  for (int k = p.spin_axes().first; k < p.spin_axes().last; ++k)
-    for (std::size_t i = 0; i < p.size(); ++i) rotation += p.inertia[i] * spin[k][i] * spin[k][i];
+  const double translation = sum_of_squares(velocity, p.axes(), p.mass);
+  const double rotation = sum_of_squares(spin, p.spin_axes(), p.inertia);
   return parts_->audit.balance(0.5 * translation, 0.5 * rotation, parts_->boundaries.energy());
 }
 
@@ -315,7 +327,7 @@ double Simulation::min_steps_per_contact() const {
 std::uint64_t Simulation::state_hash() const {
   StateHash hash;
   hash.add(steps());
-  const Particles& p = parts_->particles;
+  const Particles& p = particles();
   for (const auto& vectors : {p.position(), p.velocity(), p.spin()})
     for (int k = 0; k < 3; ++k)
       for (const double component : vectors[k]) hash.add(component);
@@ -323,13 +335,15 @@ std::uint64_t Simulation::state_hash() const {
     for (const double component : p.orientations[k]) hash.add(component);
   for (const std::uint8_t fixed : p.fixed) hash.add(std::uint64_t(fixed));
   for (const freedom::Mask held : p.held) hash.add(std::uint64_t(held));
-  parts_->integrator->add_to_hash(hash);
+  const BodyOrder& order = parts_->particles.order();
+  parts_->integrator->add_to_hash(hash, order);
   const Contacts& contacts = parts_->contacts;
   for (const PairGroup& group : contacts.groups())
-    for (std::size_t q = group.begin; q < group.end; ++q)
+    for (const std::size_t q : contacts.in_scene_order(group, order))
       for (std::uint32_t k = 0; k < group.history_width; ++k)
         if (const double value = group.history_of(q, k); value != 0) {
-          hash.add((std::uint64_t(contacts.a[q]) << 32) | contacts.b[q]);
+          const std::uint32_t b = group.planes ? contacts.b[q] : order.number(contacts.b[q]);
+          hash.add((std::uint64_t(order.number(contacts.a[q])) << 32) | b);
           hash.add(std::uint64_t(k));
           hash.add(value);
         }

@@ -88,7 +88,7 @@ Contacts make_contacts(const SimulationParts& parts) {
     for (const bool planes : {false, true})
       if (!planes || !parts.boundaries.planes().empty())
         kinds.push_back({k, planes, parts.laws[k].interface.history_width});
-  return Contacts(kinds, parts.scene.precision);
+  return Contacts(kinds, parts.scene.precision, BodyTiles(parts.particles.size()));
 }
 
 }  // namespace
@@ -138,19 +138,59 @@ void SimulationParts::transfer(const StateTransfer& state) {
 void SimulationParts::transfer_all_but_pairs(const StateTransfer& state) {
   stepper.transfer(state.below("clock"));
   const bool mid_step = stepper.forces_at() == Stepper::ForcesAt::middle_of_step;
-  particles.transfer(state.below("bodies"), mid_step);
+  const StateTransfer of_bodies = state.below("bodies");
+  in_scene_order().transfer(of_bodies, mid_step);
   boundaries.transfer(state.below("walls"), mid_step);
-  integrator->transfer(state.below("integrator"));
+  integrator->transfer(state.below("integrator"), particles.order());
   contact_sums.transfer(state.below(path_of_contact_sums));
   body_forces.transfer(state.below("body_forces"));
   body_sums.transfer(state.below("sums/body_forces"));
   audit.transfer(state.below("audit/energy"));
   momentum_audit.transfer(state.below("audit/momentum"));
   state.numbers("start/lengths", "m", lengths_at_start.component, 3, stored::any);  // NaN: not enclosed
+  transfer_order(of_bodies);
+}
+
+// The numbers of the bodies in memory, if they are rearranged.
+void SimulationParts::transfer_order(const StateTransfer& bodies) {
+  const char* const name = "number_in_memory";
+  if (!(bodies.restoring() ? bodies.has(name) : particles.order().rearranged())) return;
+  std::vector<std::uint32_t> numbers = particles.order().numbers();
+  bodies.rows(name, "", numbers);
+  if (!bodies.restoring()) return;
+  std::vector<std::uint8_t> found(particles.size(), 0);
+  for (const std::uint32_t number : numbers)
+    if (number < found.size()) found[number] = 1;
+  if (numbers.size() != found.size() || std::count(found.begin(), found.end(), 0) > 0)
+    bodies.refuse(name, "does not list each body once");
+  rearrange(numbers);
+}
+
+void SimulationParts::rearrange(const std::vector<std::uint32_t>& from) {
+  particles.rearrange(from);
+  driven.rearrange(from);
+  integrator->rearrange(from);
+  contacts.rearrange(from);
+  neighbours.rearrange(from);
+}
+
+void SimulationParts::keep_neighbours_near() {
+  if (!neighbours.order_is_worn()) return;
+  rearrange(neighbours.sorted_bodies(scene.dimension));
+  search_neighbours();
+}
+
+Particles& SimulationParts::in_scene_order() {
+  if (!particles.order().rearranged()) return particles;
+  if (copy_is_current) return *copy_in_scene_order;
+  if (!copy_in_scene_order) copy_in_scene_order = particles;
+  particles.copy_in_scene_order(*copy_in_scene_order);
+  copy_is_current = true;
+  return *copy_in_scene_order;
 }
 
 void SimulationParts::transfer_pairs(const StateTransfer& state) {
-  contacts.transfer(state.below("contacts"), particles.size(), boundaries.planes().size());
+  contacts.transfer(state.below("contacts"), particles.order(), boundaries.planes().size());
   neighbours.transfer(state.below("neighbours"), particles, boundaries);
   forces.transfer(state.below("contacts"), particles, contacts, laws, boundaries.planes().size());
 }
@@ -178,6 +218,7 @@ void SimulationParts::search_after_change() {
 }
 
 void SimulationParts::come_to_rest(const RestingPacking& packing) {
+  if (particles.order().rearranged()) rearrange(std::vector<std::uint32_t>(particles.order().back()));
   stepper.set_time(packing.time);
   particles.come_to_rest(packing.bodies, boundaries.domain());
   if (particles.orientations) particles.orientations = packing.orientations;
@@ -187,8 +228,8 @@ void SimulationParts::come_to_rest(const RestingPacking& packing) {
   for (const ContactHistory& contact : packing.contacts) {
     const std::size_t bodies = particles.size();
     const bool plane = contact.b >= bodies;
-    const auto [group, row] =
-        contacts.find(plane, contact.a, plane ? std::uint32_t(contact.b - bodies) : contact.b);
+    const auto [group, row] = contacts.find(
+        plane, contact.a, plane ? std::uint32_t(contact.b - bodies) : contact.b, particles.order());
     if (!group)
       throw Error(
           fmt::format("bodies {} and {} do not touch where they are at rest; list only pairs that touch",

@@ -43,6 +43,13 @@ struct SimulationParts {
   // Moves bodies, walls and contacts to their places in a packing at rest.
   void come_to_rest(const RestingPacking& packing);
   void search_neighbours() { neighbours.rebuild(particles, boundaries, contacts, *threads); }
+  void transfer_order(const class StateTransfer& bodies);
+  // Moves the bodies in memory, see Particles::rearrange; a search must follow.
+  void rearrange(const std::vector<std::uint32_t>& from);
+  // Sorts the bodies in space if a search has found that many neighbours have become distant in memory.
+  void keep_neighbours_near();
+  // The bodies in the order of the scene: a copy if they are rearranged, valid until something moves them.
+  Particles& in_scene_order();
   // See Simulation.
   void check_returning_walls(const std::string& name, const Parameters& parameters,
                              const std::vector<std::string>& going_on);
@@ -54,7 +61,7 @@ struct SimulationParts {
   std::vector<LawInstance> laws;
   Boundaries boundaries;
   BodyForces body_forces;
-  Particles particles;
+  Particles particles;  // by place
   DrivenBodies driven;
   std::vector<std::uint32_t> law_of;  // of the scene, without the laws that are absent
   Contacts contacts;
@@ -76,6 +83,9 @@ struct SimulationParts {
   std::vector<std::string> taken_over, let_go;  // see Simulation
 
   Stepper stepper;
+
+  std::optional<Particles> copy_in_scene_order;
+  bool copy_is_current = false;
 };
 
 }  // namespace scree

@@ -103,7 +103,7 @@ double stable_step(const ConfiguredLaw& law, scree_encounter encounter, double n
 std::vector<std::size_t> bodies_near_planes(const Simulation& s) {
   std::vector<std::size_t> near(s.planes().size(), 0);
   for (const PairGroup& group : s.contacts().groups())
-    for (std::size_t p = group.begin; group.planes && p < group.end; ++p) ++near[s.contacts().b[p]];
+    if (group.planes) group.each_pair([&](std::size_t p) { ++near[s.contacts().b[p]]; });
   return near;
 }
 

@@ -1,5 +1,6 @@
 #include "step/stepper.hpp"
 
+#include "machine/exact_sum.hpp"
 #include "motion/motion.hpp"
 #include "step/simulation_parts.hpp"
 
@@ -17,6 +18,7 @@
 //   walls begin       Boundaries::begin_step       planes to t + h, with the loads at t
 //                     DisplacedLoads::load             only for boundaries that try displacements
 //   search            NeighbourList::update        only when the skin may be used up
+//                     SimulationParts::keep_neighbours_near   sorts bodies in memory, only when they have mixed
 //   each tile         kernel::evaluate_tile        gather, geometry, law, scatter, block by block
 //   each part         Forces::collect              adds loads computed by other tiles to its bodies
 //                     MomentumAudit, BodyForces    gravity, drag, ...
@@ -68,6 +70,7 @@ std::optional<double> Stepper::substep(double step, std::optional<double> next) 
   if (const double displacement_speed = p.boundaries.displacement_speed(); displacement_speed > 0)
     p.neighbours.extend(speed * std::abs(step), displacement_speed * std::abs(elapsed), p.particles,
                         p.boundaries, p.contacts, *p.threads);
+  p.keep_neighbours_near();
   laps.lap(Profile::neighbours);
   begin_walls(elapsed, step);
   const double plane_speed = p.boundaries.largest_speed();
@@ -75,6 +78,7 @@ std::optional<double> Stepper::substep(double step, std::optional<double> next) 
   laps.lap(Profile::boundaries);
 
   p.neighbours.update(speed, plane_speed, std::abs(step), p.particles, p.boundaries, p.contacts, *p.threads);
+  p.keep_neighbours_near();
   laps.lap(Profile::neighbours);
 
   // Do not start the next step when a limit may be exceeded, so that errors are reported for the right time.
@@ -160,9 +164,7 @@ Stepper::Clock Stepper::clock_after_substep(double step, double elapsed) const {
 
 void Stepper::add_work_of_begun_step() {
   if (!parts_.driven.any() || !parts_.scene.audit) return;
-  double work = 0;
-  for (const PartSums& sums : part_sums_) work += sums.work_to_begin;
-  parts_.audit.add_work(work);
+  parts_.audit.add_work(total().work_to_begin);
 }
 
 double Stepper::largest_square_speed() const {
@@ -173,6 +175,7 @@ double Stepper::largest_square_speed() const {
 
 bool Stepper::evaluate_forces(double elapsed, const Moves& moves) {
   SimulationParts& p = parts_;
+  p.copy_is_current = false;
   bodies_advanced_ = moves.begin.has_value();
   if (moves.finish)
     evaluated_at_ = clock_after_substep(*moves.finish, elapsed).force_time;
@@ -193,19 +196,38 @@ bool Stepper::evaluate_forces(double elapsed, const Moves& moves) {
         finish_part(part, moves, worker == 0 ? parts_.profile : nullptr);
       },
       p.profile);
-  p.body_sums = {};
-  MomentumAudit::Sums momentum;
-  bool finite = true;
-  double work = 0;
-  for (const PartSums& sums : part_sums_) {
-    p.body_sums += sums.bodies;
-    momentum.add(sums.momentum);
-    finite &= sums.finite;
-    work += sums.work;
-  }
-  if (p.driven.any() && p.scene.audit) p.audit.add_work(work);
-  p.momentum_audit.add_step(elapsed, momentum, p.boundaries.loads());
-  return finite;
+  const PartSums sums = total();
+  p.body_sums = sums.bodies;
+  if (p.driven.any() && p.scene.audit) p.audit.add_work(sums.work);
+  p.momentum_audit.add_step(elapsed, sums.momentum, p.boundaries.loads());
+  return sums.finite;
+}
+
+void Stepper::PartSums::add(const PartSums& other) {
+  bodies += other.bodies;
+  momentum.add(other.momentum);
+  finite &= other.finite;
+  work += other.work;
+  work_to_begin += other.work_to_begin;
+}
+
+Stepper::PartSums Stepper::total() {
+  tile_sums_.assign(tiles_.count(), {});
+  for (std::size_t tile = 0; tile < tile_sums_.size(); ++tile)
+    tiles_.each_part(tile, [&](std::size_t part) { tile_sums_[tile].add(part_sums_[part]); });
+  if (tile_sums_.size() == 1) return tile_sums_[0];
+  const auto over_tiles = [&](const auto& term) { return exact_sum(tile_sums_, term); };
+  PartSums all;
+  for (double BodySums::*const member : {&BodySums::potential, &BodySums::dissipation_rate_translation,
+                                         &BodySums::dissipation_rate_rotation, &BodySums::work})
+    all.bodies.*member = over_tiles([&](const PartSums& tile) { return tile.bodies.*member; });
+  for (int k = 0; k < 3; ++k)
+    all.momentum.force[k] = over_tiles([&](const PartSums& tile) { return tile.momentum.force[k]; });
+  all.momentum.magnitude = over_tiles([](const PartSums& tile) { return tile.momentum.magnitude; });
+  all.work = over_tiles([](const PartSums& tile) { return tile.work; });
+  all.work_to_begin = over_tiles([](const PartSums& tile) { return tile.work_to_begin; });
+  for (const PartSums& tile : tile_sums_) all.finite &= tile.finite;
+  return all;
 }
 
 void Stepper::finish_part(std::size_t part, const Moves& moves, Profile* profile) {

@@ -62,6 +62,8 @@ class Stepper {
     bool finite = true;
     double work = 0,
            work_to_begin = 0;  // on driven bodies, and by the loads with which the next step begins (J)
+
+    void add(const PartSums& other);
   };
 
   // Takes one substep and, if `next` is given, the first half of the next for the bodies (s). Returns the
@@ -83,6 +85,8 @@ class Stepper {
   // First half of a step (s) for the walls; the bodies are at its end, where forces act for `kick` (s).
   void begin_walls(double step, double kick);
   double largest_square_speed() const;
+  // Sums over all bodies, exact over tiles, so that their bits depend on no order of the tiles.
+  PartSums total();
   // Evaluates forces and finishes all parts. Returns whether velocities and spins are finite.
   bool evaluate_forces(double elapsed, const Moves& moves);
   // Rotates bodies about the spins with which `moves` has moved them.
@@ -96,7 +100,7 @@ class Stepper {
 
   SimulationParts& parts_;
   BodyTiles tiles_;
-  std::vector<PartSums> part_sums_;
+  std::vector<PartSums> part_sums_, tile_sums_;
   bool bodies_advanced_ = false;  // the first half of the next substep has been taken
   double time_ = 0;               // (s)
   double force_time_ = 0;         // (s) of the last force evaluation

@@ -30,7 +30,7 @@ TEST_CASE("the spatial order contains each body once and keeps neighbours togeth
 }
 
 TEST_CASE("distant bodies and an empty scene have an order") {
-  CHECK(spatial_order({}, 3).empty());
+  CHECK(spatial_order(std::vector<Body>(), 3).empty());
   const std::vector<Body> bodies = {scree::test::body(1, 1, 1, {{1e300, 0, 0}}),
                                     scree::test::body(2, 1, 1, {{-1e300, 0, 0}}),
                                     scree::test::body(3, 1, 1, {{0, 0, 0}})};

@@ -42,13 +42,8 @@ struct BlockTask {
 template <class T>
 SCREE_HOT BlockTask<T> block_task(const TileJob& job, const Tiles::PairBlock& pairs) {
   PairGroup& group = (*job.groups)[pairs.group];
-  const std::size_t end = std::min(pairs.begin + pairs.count, std::max(group.end, pairs.begin));
-  return {job,
-          pairs,
-          group,
-          job.laws[group.law],
-          std::uint32_t(end - pairs.begin),
-          job.constants->radius_sum.data() + pairs.begin};
+  return {
+      job, pairs, group, job.laws[group.law], pairs.pairs, job.constants->radius_sum.data() + pairs.begin};
 }
 
 template <int D, bool spin, bool planes, class T>

@@ -30,11 +30,14 @@ SCREE_HOT void evaluate_plane_load(const TileJob& job, scree_load& load) {
   LaneSums on_bodies;
   for (std::uint32_t g = 0; g < job.groups->size(); ++g) {
     const PairGroup& group = (*job.groups)[g];
-    const std::size_t end = group.begin + group.padded_size();
-    for (std::size_t begin = group.begin; begin < end; begin += block_size) {
-      const auto count = std::uint32_t(std::min<std::size_t>(block_size, end - begin));
-      const Tiles::PairBlock pairs = {
-          .group = g, .begin = begin, .count = count, .first_visit = 0, .last_visit = 0};
+    for (std::size_t begin = group.begin; begin < group.end; begin += block_size) {
+      const auto count = std::uint32_t(std::min<std::size_t>(block_size, group.end - begin));
+      const Tiles::PairBlock pairs = {.group = g,
+                                      .begin = begin,
+                                      .count = std::uint32_t(padded_to_lanes(count)),
+                                      .pairs = count,
+                                      .first_visit = 0,
+                                      .last_visit = 0};
       const BlockTask<T> task = block_task<T>(job, pairs);
       assert_layout(task);
       gather<D, spin, true>(task, work);

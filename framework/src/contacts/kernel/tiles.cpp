@@ -12,32 +12,22 @@ namespace {
 // Number of tiles that fit into second-level caches, at half a megabyte for a tile and its pairs.
 constexpr std::size_t tiles_in_cache = 4;
 
-// First pair of a group with a >= `body`, rounded up to a multiple of SCREE_LANES.
-std::size_t pair_boundary(const Contacts& contacts, const PairGroup& group, std::size_t body) {
-  const auto begin = contacts.a.begin() + std::ptrdiff_t(group.begin),
-             end = contacts.a.begin() + std::ptrdiff_t(group.end);
-  const std::size_t offset = std::size_t(std::lower_bound(begin, end, body) - begin);
-  return group.begin + (offset + SCREE_LANES - 1) / SCREE_LANES * SCREE_LANES;
-}
-
 }  // namespace
 
-std::uint32_t Tiles::owner(std::size_t body) const {
-  return std::uint32_t(std::min(body / BodyTiles::usual_size, tiles_.size() - 1));
-}
-
+// Pairs inside the tile first: their evaluation needs no body of another tile.
 void Tiles::cut_blocks(const Contacts& contacts, std::uint32_t t) {
-  Tile& tile = tiles_[t];
-  tile.first_block = blocks_.size();
-  for (std::uint32_t g = 0; g < contacts.groups().size(); ++g) {
-    const PairGroup& group = contacts.groups()[g];
-    const std::size_t all = group.begin + group.padded_size();
-    const std::size_t from = t == 0 ? group.begin : pair_boundary(contacts, group, bodies_[t].begin);
-    const std::size_t to = t + 1 == tiles_.size() ? all : pair_boundary(contacts, group, bodies_[t].end);
-    for (std::size_t p = from; p < to; p += block_size)
-      blocks_.push_back({g, p, std::uint32_t(std::min<std::size_t>(block_size, to - p)), 0, 0});
-  }
-  tile.last_block = blocks_.size();
+  tiles_[t].first_block = blocks_.size();
+  for (const std::size_t crossing : {0u, 1u})
+    for (std::uint32_t g = 0; g < contacts.groups().size(); ++g) {
+      const PairGroup& group = contacts.groups()[g];
+      if (group.runs.empty()) continue;
+      const PairRun& run = group.runs[2 * t + crossing];
+      for (std::size_t p = run.begin; p < run.end; p += block_size) {
+        const std::size_t pairs = std::min<std::size_t>(block_size, run.end - p);
+        blocks_.push_back({g, p, std::uint32_t(padded_to_lanes(pairs)), std::uint32_t(pairs), 0, 0});
+      }
+    }
+  tiles_[t].last_block = blocks_.size();
 }
 
 void Tiles::assign_slots(const Contacts& contacts, std::size_t planes) {
@@ -46,16 +36,17 @@ void Tiles::assign_slots(const Contacts& contacts, std::size_t planes) {
   for (std::uint32_t t = 0; t < tiles_.size(); ++t) {
     Tile& tile = tiles_[t];
     const auto slot_of = [&](std::uint32_t body) {
-      if (owner(body) == t) return body;
+      const auto owner = std::uint32_t(bodies_.owner(body));
+      if (owner == t) return body;
       outgoing_.push_back({body, std::uint32_t(slots_)});
-      tile.reached.push_back(owner(body));
+      tile.reached.push_back(owner);
       return std::uint32_t(slots_++);
     };
     tile.first_foreign = slots_;
     for (std::size_t k = tile.first_block; k < tile.last_block; ++k) {
       const PairBlock& block = blocks_[k];
       const PairGroup& group = contacts.groups()[block.group];
-      for (std::size_t p = block.begin; p < std::min(block.begin + block.count, group.end); ++p) {
+      for (std::size_t p = block.begin; p < block.begin + block.pairs; ++p) {
         slot_a_[p] = slot_of(contacts.a[p]);
         if (!group.planes) slot_b_[p] = slot_of(contacts.b[p]);
       }
@@ -66,8 +57,9 @@ void Tiles::assign_slots(const Contacts& contacts, std::size_t planes) {
       const PairBlock& block = blocks_[k];
       const PairGroup& group = contacts.groups()[block.group];
       for (std::size_t p = block.begin; p < block.begin + block.count; ++p) {
-        if (p >= group.end) slot_a_[p] = slot_b_[p] = std::uint32_t(tile.first_own + planes);
-        if (p < group.end && group.planes) slot_b_[p] = std::uint32_t(tile.first_own + contacts.b[p]);
+        const bool padding = p >= block.begin + block.pairs;
+        if (padding) slot_a_[p] = slot_b_[p] = std::uint32_t(tile.first_own + planes);
+        if (!padding && group.planes) slot_b_[p] = std::uint32_t(tile.first_own + contacts.b[p]);
       }
     }
   }

@@ -12,7 +12,7 @@
 namespace scree::kernel {
 
 // Division of the pairs of a scene into tiles that can be evaluated in parallel: a tile owns a range of
-// bodies and evaluates the pairs whose a it owns. The loads of both ends of a pair are added to slots,
+// bodies and evaluates its pairs (see Contacts), in blocks that belong to it alone. The loads of both ends of a pair are added to slots,
 // assigned in advance:
 //   [0, bodies)         slot of a body, used if the tile that evaluates the pair owns the body
 //   behind              slot of one end of one pair, used if another tile owns the body
@@ -25,6 +25,7 @@ class Tiles {
     std::uint32_t group;
     std::size_t begin;                    // pair
     std::uint32_t count;                  // multiple of SCREE_LANES
+    std::uint32_t pairs;                  // without padding
     std::size_t first_visit, last_visit;  // of visits()
   };
   struct Incoming {
@@ -51,7 +52,6 @@ class Tiles {
   // Bodies that a block is the first of its tile to read, for prefetching; empty in scenes that fit into a
   // cache.
   const std::vector<std::uint32_t>& visits() const { return visits_; }
-  std::size_t plane_slot(std::size_t tile, std::size_t plane) const { return tiles_[tile].first_own + plane; }
   // Slots of other tiles with loads for the bodies of a part, in the order of the pairs.
   std::span<const Incoming> incoming(std::size_t part) const {
     return {incoming_.data() + first_incoming_[part], incoming_.data() + first_incoming_[part + 1]};
@@ -62,7 +62,6 @@ class Tiles {
 
  private:
   void cut_blocks(const Contacts& contacts, std::uint32_t tile);
-  std::uint32_t owner(std::size_t body) const;
   void assign_slots(const Contacts& contacts, std::size_t planes);
   void find_reached_tiles();
   void list_first_visits(const Contacts& contacts);

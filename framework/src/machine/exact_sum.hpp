@@ -1,0 +1,38 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace scree {
+
+// A sum of doubles that is rounded once, at its end, so that its bits do not depend on the order of the terms.
+// Fixed-point number of 32-bit digits that covers all doubles; takes up to 2^30 terms. Infinities and NaN give
+// what their sum is in any order.
+class ExactSum {
+ public:
+  void add(double term);
+  void add(const ExactSum& other);
+  // The exact sum rounded to the nearest double, ties to even.
+  double value() const;
+
+ private:
+  static constexpr std::size_t digit_count = 68;
+  using Digits = std::array<std::int64_t, digit_count>;
+
+  // Digit k counts 2^(32 k - 1074); unnormalised, within [first_, last_].
+  Digits digits_ = {};
+  std::size_t first_ = digit_count, last_ = 0;
+  double not_finite_ = 0;
+};
+
+// The sum of term(item) over a range; a single item as it is.
+template <class Items, class Term>
+double exact_sum(const Items& items, const Term& term) {
+  if (items.size() == 1) return term(*items.begin());
+  ExactSum sum;
+  for (const auto& item : items) sum.add(term(item));
+  return sum.value();
+}
+
+}  // namespace scree
