@@ -6,8 +6,8 @@
 
 namespace scree {
 
-// Places of bodies in memory. A body keeps its number, by which the scene, probes and files list it; its place
-// changes when bodies are sorted again, so that neighbours are near in memory.
+// Places of bodies in memory. A body keeps its number, by which the scene, probes and files list it; its
+// place changes when bodies are sorted again, so that neighbours are near in memory.
 class BodyOrder {
  public:
   // Each body at the place of its number.

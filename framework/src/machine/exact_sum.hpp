@@ -6,9 +6,9 @@
 
 namespace scree {
 
-// A sum of doubles that is rounded once, at its end, so that its bits do not depend on the order of the terms.
-// Fixed-point number of 32-bit digits that covers all doubles; takes up to 2^30 terms. Infinities and NaN give
-// what their sum is in any order.
+// A sum of doubles that is rounded once, at its end, so that its bits do not depend on the order of the
+// terms. Fixed-point number of 32-bit digits that covers all doubles; takes up to 2^30 terms. Infinities and
+// NaN give what their sum is in any order.
 class ExactSum {
  public:
   void add(double term);

@@ -12,8 +12,8 @@
 namespace scree::kernel {
 
 // Division of the pairs of a scene into tiles that can be evaluated in parallel: a tile owns a range of
-// bodies and evaluates its pairs (see Contacts), in blocks that belong to it alone. The loads of both ends of a pair are added to slots,
-// assigned in advance:
+// bodies and evaluates its pairs (see Contacts), in blocks that belong to it alone. The loads of both ends of
+// a pair are added to slots, assigned in advance:
 //   [0, bodies)         slot of a body, used if the tile that evaluates the pair owns the body
 //   behind              slot of one end of one pair, used if another tile owns the body
 //   then, for each tile, a slot for each plane and one for padding
