@@ -139,15 +139,28 @@ void Contacts::rearrange(const std::vector<std::uint32_t>& from) {
   ++revision_;
 }
 
-Contacts::Crossing Contacts::crossing() const {
-  Crossing count;
+double Contacts::crossing_share() const {
+  double pairs = 0, crossing = 0;
   for (const PairGroup& group : groups_) {
     if (group.planes) continue;
-    count.pairs += group.pairs;
+    pairs += double(group.pairs);
     for (std::size_t r = 1; r < group.runs.size(); r += 2)
-      count.crossing += group.runs[r].end - group.runs[r].begin;
+      crossing += double(group.runs[r].end - group.runs[r].begin);
   }
-  return count;
+  return pairs > 0 ? crossing / pairs : 0;
+}
+
+double Contacts::crossing_share(const std::vector<std::uint32_t>& from) const {
+  std::vector<std::uint32_t> tile(from.size());
+  for (std::size_t place = 0; place < from.size(); ++place)
+    tile[from[place]] = std::uint32_t(tiles_.owner(place));
+  double pairs = 0, crossing = 0;
+  for (const PairGroup& group : groups_) {
+    if (group.planes) continue;
+    pairs += double(group.pairs);
+    group.each_pair([&](std::size_t q) { crossing += tile[a[q]] != tile[b[q]]; });
+  }
+  return pairs > 0 ? crossing / pairs : 0;
 }
 
 std::vector<std::size_t> Contacts::in_scene_order(const PairGroup& group, const BodyOrder& order) const {

@@ -83,11 +83,9 @@ class Contacts {
   // After bodies have been moved in memory: each place has taken the body at the place `from[place]`.
   void rearrange(const std::vector<std::uint32_t>& from);
 
-  // Pairs of bodies without padding, and how many of them are not inside a tile.
-  struct Crossing {
-    std::size_t pairs = 0, crossing = 0;
-  };
-  Crossing crossing() const;
+  // Share of the pairs of bodies whose bodies are in different tiles: now, or if the bodies were rearranged.
+  double crossing_share() const;
+  double crossing_share(const std::vector<std::uint32_t>& from) const;
 
   // The pairs of a group in the order of their numbers, a first.
   std::vector<std::size_t> in_scene_order(const PairGroup& group, const BodyOrder& order) const;

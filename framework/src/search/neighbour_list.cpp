@@ -178,24 +178,21 @@ void NeighbourList::rebuild(Particles& particles, const Boundaries& boundaries, 
   body_travel_ = plane_travel_ = 0;
   steps_ = 0;
   ++rebuilds_;
-  compare_order(contacts);
+  compare_order(contacts, dimension);
 }
 
-void NeighbourList::compare_order(const Contacts& contacts) {
-  const auto [pairs, crossing] = contacts.crossing();
-  const double share = pairs > 0 ? double(crossing) / double(pairs) : 0;
-  if (crossing_when_sorted_ == unknown) crossing_when_sorted_ = share;
-  order_is_worn_ = share > std::max(worn_ratio * crossing_when_sorted_, least_worn_share);
-}
-
-std::vector<std::uint32_t> NeighbourList::sorted_bodies(int dimension) const {
-  return spatial_order(bodies_at_search_, dimension);
+void NeighbourList::compare_order(const Contacts& contacts, int dimension) {
+  better_order_.clear();
+  const double share = contacts.crossing_share();
+  if (share <= std::max(worn_ratio * crossing_when_sorted_, least_worn_share)) return;
+  std::vector<std::uint32_t> sorted = spatial_order(bodies_at_search_, dimension);
+  crossing_when_sorted_ = contacts.crossing_share(sorted);
+  if (share > worn_ratio * crossing_when_sorted_) better_order_ = std::move(sorted);
 }
 
 void NeighbourList::rearrange(const std::vector<std::uint32_t>& from) {
   rearrange_rows(bodies_at_search_, 1, from);
-  crossing_when_sorted_ = unknown;
-  order_is_worn_ = false;
+  better_order_.clear();
 }
 
 // In scene order.
@@ -210,7 +207,7 @@ void NeighbourList::transfer_bodies(const StateTransfer& state, const BodyOrder&
   bodies_at_search_ = std::move(bodies);
 }
 
-// Old states have no share; it is then measured at the next search.
+// Small scenes and old states have no share; it is then compared at the next search.
 void NeighbourList::transfer_crossing(const StateTransfer& state) {
   const char* const name = "crossing_when_sorted";
   if (state.restoring() ? state.has(name) : crossing_when_sorted_ > 0)

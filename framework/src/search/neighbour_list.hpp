@@ -34,11 +34,9 @@ class NeighbourList {
   // All but the pairs; the skin of the first search follows from the scene.
   void transfer(const class StateTransfer& state, const Particles& particles, const Boundaries& boundaries);
 
-  // Whether so many more pairs cross tiles than after the bodies were last sorted in memory that they should
-  // be sorted again; known after a search.
-  bool order_is_worn() const { return order_is_worn_; }
-  // The bodies of the last search along a curve in space, see spatial_order().
-  std::vector<std::uint32_t> sorted_bodies(int dimension) const;
+  // The order in which bodies should be sorted again in memory, see spatial_order(); empty if they need not
+  // be. Known after a search.
+  const std::vector<std::uint32_t>& better_order() const { return better_order_; }
   // Moves the bodies in memory, see Particles::rearrange; a search must follow.
   void rearrange(const std::vector<std::uint32_t>& from);
 
@@ -56,7 +54,7 @@ class NeighbourList {
   void record_positions(Particles& particles, const Domain& domain);
   void transfer_bodies(const class StateTransfer& state, const BodyOrder& order);
   void transfer_crossing(const class StateTransfer& state);
-  void compare_order(const Contacts& contacts);
+  void compare_order(const Contacts& contacts, int dimension);
   void measure(const Particles& particles, const Boundaries& boundaries);
   SkinChoice::ListStatistics list_statistics(const Particles& particles, const Boundaries& boundaries,
                                              const Contacts& contacts) const;
@@ -71,9 +69,8 @@ class NeighbourList {
   std::vector<scree_plane> planes_at_search_;
   std::vector<std::uint8_t> absent_at_search_;
   std::uint64_t rebuilds_ = 0;
-  static constexpr double unknown = -1;
-  double crossing_when_sorted_ = unknown;  // share of pairs that cross tiles
-  bool order_is_worn_ = false;
+  double crossing_when_sorted_ = 0;  // share of pairs that cross tiles
+  std::vector<std::uint32_t> better_order_;
 };
 
 }  // namespace scree

@@ -170,8 +170,8 @@ namespace {
 bool is_absent(const SimulationParts& parts, bool plane, std::uint32_t a, std::uint32_t b) {
   if (plane && parts.boundaries.absent()[b]) return true;
   const Scene& scene = parts.scene;
-  const std::uint32_t other = plane ? parts.boundaries.plane_materials()[b] : parts.particles.material[b];
-  const std::size_t pair = parts.particles.material[a] * scene.materials.size() + other;
+  const std::uint32_t other = plane ? parts.boundaries.plane_materials()[b] : scene.bodies[b].material;
+  const std::size_t pair = scene.bodies[a].material * scene.materials.size() + other;
   return scene.laws[scene.law_of[pair]].parameters.absent();
 }
 
@@ -193,7 +193,7 @@ Branch::Dropped Branch::each_row(SimulationParts& parts, const VisitRow& visit) 
     if (!branching_.histories) return void(++dropped.asked);
     const std::uint32_t b = !stored.plane ? stored.b : stored.b < planes.size() ? planes[stored.b] : no_plane;
     if (b == no_plane) return void(++dropped.of_walls);
-    if (!stored.plane && parts.particles.is_fixed(stored.a) && parts.particles.is_fixed(b))
+    if (!stored.plane && scene_.bodies[stored.a].fixed && scene_.bodies[b].fixed)
       return void(++dropped.of_fixed);
     const auto [group, row] = parts.contacts.find(stored.plane, stored.a, b, parts.particles.order());
     if (!group && is_absent(parts, stored.plane, stored.a, b)) return void(++dropped.of_absent);

@@ -175,9 +175,14 @@ void SimulationParts::rearrange(const std::vector<std::uint32_t>& from) {
 }
 
 void SimulationParts::keep_neighbours_near() {
-  if (!neighbours.order_is_worn()) return;
-  rearrange(neighbours.sorted_bodies(scene.dimension));
-  search_neighbours();
+  if (neighbours.better_order().empty()) return;
+  rearrange(std::vector<std::uint32_t>(neighbours.better_order()));
+  neighbours.rebuild(particles, boundaries, contacts, *threads);
+}
+
+void SimulationParts::search_neighbours() {
+  neighbours.rebuild(particles, boundaries, contacts, *threads);
+  keep_neighbours_near();
 }
 
 Particles& SimulationParts::in_scene_order() {

@@ -42,11 +42,11 @@ struct SimulationParts {
   static ContactSums contact_sums_in(const State& state);
   // Moves bodies, walls and contacts to their places in a packing at rest.
   void come_to_rest(const RestingPacking& packing);
-  void search_neighbours() { neighbours.rebuild(particles, boundaries, contacts, *threads); }
+  void search_neighbours();
   void transfer_order(const class StateTransfer& bodies);
   // Moves the bodies in memory, see Particles::rearrange; a search must follow.
   void rearrange(const std::vector<std::uint32_t>& from);
-  // Sorts the bodies in space if a search has found that many neighbours have become distant in memory.
+  // Sorts the bodies in space if a search has found that many neighbours are distant in memory.
   void keep_neighbours_near();
   // The bodies in the order of the scene: a copy if they are rearranged, valid until something moves them.
   Particles& in_scene_order();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <random>
 #include <tuple>
 #include <vector>
@@ -185,6 +186,76 @@ TEST_CASE("when a law changes its history width, the common columns are kept") {
                 (group.law == 1 || k < least ? mark(key, k) : 0));
     });
   }
+}
+
+// Bodies of three tiles of the usual size, numbered in another order than their places.
+TEST_CASE(
+    "tiles have runs of their own, pairs inside before pairs across, and histories survive a new order") {
+  constexpr std::uint32_t bodies = 3 * 1024 + 100;
+  const scree::BodyTiles tiles(bodies);
+  REQUIRE(tiles.count() == 3);
+  std::vector<std::uint32_t> numbers(bodies), material(bodies, 0);
+  std::iota(numbers.begin(), numbers.end(), 0u);
+  std::mt19937 generator(2);
+  std::shuffle(numbers.begin(), numbers.end(), generator);
+  const std::uint32_t law_of = 0;
+  const Contacts::Lookup lookup = {&law_of, 1, material.data(), material.data()};
+  const auto pairs_of = [&](double distance) {
+    std::vector<NeighbourPair> pairs;
+    std::uniform_real_distribution<double> uniform(0, 1);
+    for (std::uint32_t a = 0; a < bodies; ++a)
+      for (std::uint32_t b = a + 1; b < std::min(bodies, a + 9); ++b)
+        if (uniform(generator) < distance) pairs.push_back({a, b, std::uint8_t((a + b) % 27)});
+    return pairs;
+  };
+  const auto key_of = [](std::uint32_t a, std::uint32_t b) { return double(a) * bodies + b; };
+  Contacts contacts({{0, false, 1}}, scree::Precision::double_precision, tiles);
+  const scree::BodyOrder order = scree::BodyOrder().moved(numbers);
+  const std::vector<NeighbourPair> pairs = pairs_of(0.5);
+  contacts.rebuild(pairs, {}, lookup, order);
+  PairGroup& group = contacts.groups()[0];
+  REQUIRE(group.pairs == pairs.size());
+  REQUIRE(group.runs.size() == 6);
+  std::size_t next = 0, across = 0;
+  for (std::size_t r = 0; r < 6; ++r) {
+    REQUIRE(group.runs[r].begin == next);
+    next += group.runs[r].padded_size();
+    for (std::size_t q = group.runs[r].begin; q < group.runs[r].end; ++q) {
+      const std::uint32_t a = contacts.a[q], b = contacts.b[q];
+      REQUIRE(tiles.owner(std::min(a, b)) == r / 2);
+      REQUIRE((tiles.owner(std::max(a, b)) != r / 2) == (r % 2 == 1));
+      REQUIRE(order.number(a) < order.number(b));
+      const std::uint8_t image = contacts.image[q];
+      REQUIRE((a < b ? image : 26 - image) == int((a + b) % 27));
+      group.history.set(0, q - group.begin, key_of(order.number(a), order.number(b)));
+      across += r % 2;
+    }
+  }
+  REQUIRE(across > 10);
+  CHECK(contacts.crossing_share() == Approx(double(across) / double(pairs.size())));
+
+  // Half of the pairs go, others come; then each body moves to the place of its number.
+  const std::vector<NeighbourPair> later = pairs_of(0.5);
+  contacts.rebuild(later, {}, lookup, order);
+  contacts.rearrange(order.back());
+  const scree::BodyOrder back = order.moved(order.back());
+  CHECK(contacts.crossing_share() > 0.5);
+  std::size_t kept = 0;
+  const std::vector<std::size_t> listed = contacts.in_scene_order(group, back);
+  REQUIRE(listed.size() == later.size());
+  for (std::size_t k = 0; k < listed.size(); ++k) {
+    const std::uint32_t a = contacts.a[listed[k]], b = contacts.b[listed[k]];
+    REQUIRE(a < b);
+    if (k > 0) REQUIRE(std::pair(contacts.a[listed[k - 1]], contacts.b[listed[k - 1]]) < std::pair(a, b));
+    const double history = group.history_of(listed[k], 0);
+    REQUIRE((history == 0 || history == key_of(a, b)));
+    kept += history != 0;
+    const Contacts::Place found = contacts.find(false, a, b, back);
+    REQUIRE(found.group == &group);
+    REQUIRE(found.row == listed[k] - group.begin);
+  }
+  CHECK(kept > 1000);
+  CHECK(kept < later.size() - 1000);
 }
 
 TEST_CASE("each pair of materials or walls has its own law") {

@@ -1,0 +1,82 @@
+#include "machine/exact_sum.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+using scree::ExactSum;
+
+namespace {
+
+double sum_of(const std::vector<double>& terms) {
+  ExactSum sum;
+  for (const double term : terms) sum.add(term);
+  return sum.value();
+}
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+// Terms are multiples of 2^-60 below 2^50, whose sums fit into an integer of 128 bits; the compiler rounds it.
+TEST_CASE("an exact sum equals the sum of integers, rounded once", "[exact_sum]") {
+  __extension__ typedef __int128 Wide;
+  std::mt19937_64 generator(1);
+  for (int trial = 0; trial < 2000; ++trial) {
+    Wide expected = 0;
+    std::vector<double> terms;
+    const int count = 1 + int(generator() % 40);
+    for (int k = 0; k < count; ++k) {
+      const auto mantissa = std::int64_t(generator() >> 11) * (generator() % 2 ? 1 : -1);
+      const int shift = int(generator() % 58);
+      terms.push_back(std::ldexp(double(mantissa), shift - 60));
+      expected += Wide(mantissa) * (Wide(1) << shift);
+    }
+    REQUIRE(sum_of(terms) == std::ldexp(double(expected), -60));
+    std::shuffle(terms.begin(), terms.end(), generator);
+    REQUIRE(sum_of(terms) == std::ldexp(double(expected), -60));
+    ExactSum halves[2];
+    for (std::size_t k = 0; k < terms.size(); ++k) halves[k % 2].add(terms[k]);
+    halves[0].add(halves[1]);
+    REQUIRE(halves[0].value() == std::ldexp(double(expected), -60));
+  }
+}
+
+TEST_CASE("exact sums reach from the smallest to the largest double", "[exact_sum]") {
+  const double smallest = std::numeric_limits<double>::denorm_min(),
+               largest = std::numeric_limits<double>::max();
+  CHECK(sum_of({}) == 0);
+  CHECK(sum_of({largest, smallest, -largest}) == smallest);
+  CHECK(sum_of({1e308, 1, -1e308}) == 1);
+  CHECK(sum_of({smallest, smallest, smallest}) == 3 * smallest);
+  CHECK(sum_of({largest, -smallest}) == largest);
+  CHECK(sum_of({largest, largest}) == infinite);
+  CHECK(sum_of({largest, largest, -largest}) == largest);
+  CHECK(sum_of({-largest, -largest}) == -infinite);
+}
+
+TEST_CASE("exact sums round ties to even, and what decides a tie may be far below", "[exact_sum]") {
+  const double unit = std::ldexp(1.0, -52);
+  CHECK(sum_of({1, 0.5 * unit}) == 1);
+  CHECK(sum_of({1 + unit, 0.5 * unit}) == 1 + 2 * unit);
+  CHECK(sum_of({1, 0.5 * unit, 1e-300}) == 1 + unit);
+  CHECK(sum_of({1, 0.5 * unit, -1e-300}) == 1);
+  CHECK(sum_of({-1, -0.5 * unit, -1e-300}) == -1 - unit);
+}
+
+TEST_CASE("infinities and numbers that are not one pass through exact sums in any order", "[exact_sum]") {
+  CHECK(sum_of({1, infinite, -5}) == infinite);
+  CHECK(sum_of({-infinite, 1e300}) == -infinite);
+  CHECK(std::isnan(sum_of({infinite, 1, -infinite})));
+  CHECK(std::isnan(sum_of({1, std::nan(""), 2})));
+}
+
+TEST_CASE("a million terms of both signs are summed without a carry that is lost", "[exact_sum]") {
+  ExactSum sum;
+  for (int k = 0; k < 1000000; ++k) sum.add(k % 2 ? -0x1.fffffffffffffp+31 : 0x1.fffffffffffffp+32);
+  CHECK(sum.value() == 500000 * 0x1.fffffffffffffp+31);
+}
