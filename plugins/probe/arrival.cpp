@@ -24,6 +24,7 @@ struct ArrivalProbe {
         .required();
   }
   void describe(scree_probe_instance& instance) const {
+    instance.needs = SCREE_NEEDS_NO_BODIES;
     instance.column_count = 2;
     instance.state_width = state_width;
   }

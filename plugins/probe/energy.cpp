@@ -14,7 +14,7 @@ struct EnergyProbe {
 
   void declare(scree::Declaration&) {}
   void describe(scree_probe_instance& instance) const {
-    instance.needs = SCREE_NEEDS_ENERGY;
+    instance.needs = SCREE_NEEDS_ENERGY | SCREE_NEEDS_NO_BODIES;
     instance.column_count = std::size(scree::energies);
   }
   scree::ColumnName column(std::uint32_t c) const {

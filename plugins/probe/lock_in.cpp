@@ -49,6 +49,7 @@ struct LockInProbe {
   }
 
   void describe(scree_probe_instance& instance) const {
+    instance.needs = SCREE_NEEDS_NO_BODIES;
     instance.column_count = std::uint32_t(per_harmonic * harmonics + 3);
     instance.observe_every = 1 / (frequency * samples_per_period);
   }

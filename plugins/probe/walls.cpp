@@ -30,6 +30,7 @@ struct WallsProbe {
   void prepare(const scree::Setup& setup) { dimension = setup.dimension(); }
 
   void describe(scree_probe_instance& instance) const {
+    instance.needs = SCREE_NEEDS_NO_BODIES;
     instance.column_count = std::uint32_t(numbers.count) * per_wall();
     instance.state_width = std::uint32_t(numbers.count) * 3;
   }

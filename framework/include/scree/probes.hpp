@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <string>
@@ -11,11 +12,18 @@
 
 namespace scree {
 
+// What is needed by two probes together.
+constexpr std::uint32_t joint_needs(std::uint32_t a, std::uint32_t b) {
+  constexpr std::uint32_t nothing_of = SCREE_NEEDS_NO_BODIES;
+  return ((a | b) & ~nothing_of) | (a & b & nothing_of);
+}
+
 // Read-only view of a simulation for probes; valid until the next step.
 class SimulationView {
  public:
-  // needs: SCREE_NEEDS_CONTACTS takes a loop over all pairs, SCREE_NEEDS_ENERGY one over all bodies.
-  // end_time: (s) of the run, if it is known.
+  // needs: SCREE_NEEDS_CONTACTS takes a loop over all pairs, SCREE_NEEDS_ENERGY one over all bodies, and so
+  // do bodies that have been sorted in memory, unless SCREE_NEEDS_NO_BODIES. end_time: (s) of the run, if it
+  // is known.
   SimulationView(const Simulation& simulation, std::uint32_t needs,
                  double end_time = std::numeric_limits<double>::quiet_NaN());
   SimulationView(const SimulationView&) = delete;

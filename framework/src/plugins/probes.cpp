@@ -50,7 +50,8 @@ SimulationView::SimulationView(const Simulation& s, std::uint32_t needs, double 
   view_.time = s.time();
   view_.step_length = s.step_length();
   view_.step = s.steps();
-  show_bodies(s);
+  view_.body_count = s.scene().bodies.size();
+  if (!(needs & SCREE_NEEDS_NO_BODIES)) show_bodies(s);
   show_boundaries(s);
   if (needs & SCREE_NEEDS_CONTACTS) show_contacts(s);
   view_.energy = &energy_;
@@ -59,7 +60,6 @@ SimulationView::SimulationView(const Simulation& s, std::uint32_t needs, double 
 
 void SimulationView::show_bodies(const Simulation& s) {
   const Particles& p = s.particles();
-  view_.body_count = p.size();
   point_to(view_.position, p.position());
   point_to(view_.velocity, p.velocity());
   point_to(view_.spin, p.spin());
@@ -74,14 +74,11 @@ void SimulationView::show_bodies(const Simulation& s) {
   view_.material = p.material.data();
   view_.fixed = p.fixed.empty() ? nullptr : p.fixed.data();
   view_.held = p.held.empty() ? nullptr : p.held.data();
-  material_names_ = pointers_to(s.scene().materials);
-  view_.material_count = std::uint32_t(material_names_.size());
-  view_.material_names = material_names_.data();
+  for (int k = 0; k < s.dimension() && s.domain().any_periodic(); ++k) view_.image[k] = p.image[k].data();
 }
 
 void SimulationView::show_boundaries(const Simulation& s) {
   for (int k = 0; k < 3; ++k) {
-    if (s.domain().any_periodic() && k < s.dimension()) view_.image[k] = s.particles().image[k].data();
     view_.period[k] = s.domain().periodic[std::size_t(k)] ? s.domain().length(k) : 0;
     view_.length[k] = s.lengths()[k];
     view_.length_at_start[k] = s.lengths_at_start()[k];
@@ -91,6 +88,9 @@ void SimulationView::show_boundaries(const Simulation& s) {
   view_.planes = s.planes().data();
   view_.loads = s.loads().data();
   view_.plane_names = plane_names_.data();
+  material_names_ = pointers_to(s.scene().materials);
+  view_.material_count = std::uint32_t(material_names_.size());
+  view_.material_names = material_names_.data();
   view_.plane_absent = s.absent_planes().data();
 }
 

@@ -1,5 +1,7 @@
 #include "machine/exact_sum.hpp"
 
+#include "contacts/contact_sums.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,11 +20,23 @@ double sum_of(const std::vector<double>& terms) {
   return sum.value();
 }
 
+constexpr double scree::ContactSums::*members[] = {&scree::ContactSums::elastic_normal,
+                                                   &scree::ContactSums::elastic_tangential,
+                                                   &scree::ContactSums::dissipation_rate_normal,
+                                                   &scree::ContactSums::dissipation_rate_tangential,
+                                                   &scree::ContactSums::dissipation_rate_rolling,
+                                                   &scree::ContactSums::dissipated_friction,
+                                                   &scree::ContactSums::dissipated_release,
+                                                   &scree::ContactSums::created_power,
+                                                   &scree::ContactSums::created,
+                                                   &scree::ContactSums::max_overlap_ratio};
+
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-// Terms are multiples of 2^-60 below 2^50, whose sums fit into an integer of 128 bits; the compiler rounds it.
+// Terms are multiples of 2^-60 below 2^50, whose sums fit into an integer of 128 bits; the compiler rounds
+// it.
 TEST_CASE("an exact sum equals the sum of integers, rounded once", "[exact_sum]") {
   __extension__ typedef __int128 Wide;
   std::mt19937_64 generator(1);
@@ -73,6 +87,23 @@ TEST_CASE("infinities and numbers that are not one pass through exact sums in an
   CHECK(sum_of({-infinite, 1e300}) == -infinite);
   CHECK(std::isnan(sum_of({infinite, 1, -infinite})));
   CHECK(std::isnan(sum_of({1, std::nan(""), 2})));
+}
+
+TEST_CASE("sums of contacts over tiles are the same in any order of the tiles", "[exact_sum]") {
+  std::mt19937_64 generator(5);
+  std::normal_distribution<double> normal;
+  std::vector<scree::ContactSums> tiles(20);
+  for (scree::ContactSums& tile : tiles)
+    for (double scree::ContactSums::*const member : members) tile.*member = std::exp(10 * normal(generator));
+  const scree::ContactSums expected = scree::total_of(tiles);
+  for (int trial = 0; trial < 20; ++trial) {
+    std::shuffle(tiles.begin(), tiles.end(), generator);
+    const scree::ContactSums total = scree::total_of(tiles);
+    for (double scree::ContactSums::*const member : members) {
+      REQUIRE(total.*member == expected.*member);
+      REQUIRE(total.*member > 0);
+    }
+  }
 }
 
 TEST_CASE("a million terms of both signs are summed without a carry that is lost", "[exact_sum]") {

@@ -31,8 +31,8 @@ namespace {
 
 constexpr const char* order_in_memory = "bodies/number_in_memory";
 
-// Layers of touching bodies that pass each other closely, between walls and periodic faces; some bodies are held
-// in part, loaded or fixed, so that the others push each other aside.
+// Layers of touching bodies that pass each other closely, between walls and periodic faces; some bodies are
+// held in part, loaded or fixed, so that the others push each other aside.
 Scene sliding_layers(int dimension) {
   const int columns = dimension == 2 ? 64 : 16, rows = dimension == 2 ? 34 : 15,
             depth = dimension == 2 ? 1 : 10;

@@ -81,10 +81,15 @@ std::string bodies_line(const State& state) {
   return fmt::format("{:<12} {} in {}D\n", "bodies", found->second.shape[0], found->second.shape[1]);
 }
 
-// What the names of the arrays of contacts do not say.
+// What the names of the arrays do not say.
 std::string notes(const State& state) {
-  if (!state.has("contacts/0/a")) return "";
-  std::string text =
+  std::string text;
+  if (state.has("bodies/number_in_memory"))
+    text +=
+        "particles/bodies/number_in_memory: the order in which a run keeps the bodies in memory; all other arrays\n"
+        "  list them in the order of the scene\n";
+  if (!state.has("contacts/0/a")) return text;
+  text +=
       "contacts as a table: scree export --format contacts-csv\n"
       "  scree/contacts/G: pairs a, b that are listed, of bodies, or if planes = 1 of a body and a wall;\n"
       "    row k of history is that of the pair history_row[k]\n";

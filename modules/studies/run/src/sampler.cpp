@@ -79,11 +79,11 @@ std::uint64_t Sampler::take(const Simulation& simulation, const std::string& sta
   if (taken_step_ == simulation.steps() && taken_stage_ == stage) return next(simulation, stage, steps);
   taken_step_ = simulation.steps();
   taken_stage_ = stage;
-  std::uint32_t needs = 0;
+  std::uint32_t needs = SCREE_NEEDS_NO_BODIES;
   bool any = false;
   for (const Active& p : probes_)
     if (p.records_in(stage) && (p.is_observed(simulation, steps) || p.is_due_at(simulation, steps)))
-      any = true, needs |= p.needs;
+      any = true, needs = joint_needs(needs, p.needs);
   const std::uint64_t next = this->next(simulation, stage, steps);
   if (!any) return next;
   const SimulationView view(simulation, needs, end_time_);
@@ -109,9 +109,9 @@ std::uint64_t Sampler::next(const Simulation& simulation, const std::string& sta
 }
 
 void Sampler::sample_last(const Simulation& simulation, const std::string& stage) {
-  std::uint32_t needs = 0;
+  std::uint32_t needs = SCREE_NEEDS_NO_BODIES;
   for (const Active& p : probes_)
-    if (p.records_in(stage)) needs |= p.needs;
+    if (p.records_in(stage)) needs = joint_needs(needs, p.needs);
   const SimulationView view(simulation, needs, end_time_);
   forget_rows();
   for (Active& p : probes_)

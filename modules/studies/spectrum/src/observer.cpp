@@ -27,8 +27,8 @@ void Observer::watch(std::size_t probe) {
 }
 
 std::uint32_t Observer::needs() const {
-  std::uint32_t needs = 0;
-  for (const Watched& watched : probes_) needs |= watched.probe.needs();
+  std::uint32_t needs = SCREE_NEEDS_NO_BODIES;
+  for (const Watched& watched : probes_) needs = joint_needs(needs, watched.probe.needs());
   return needs;
 }
 

@@ -32,7 +32,10 @@ typedef struct scree_energy { /* the energy balance (J); dissipated, created and
 enum {
   SCREE_NEEDS_CONTACTS = 1u << 0,
   SCREE_NEEDS_ENERGY = 1u << 1,
-  SCREE_NEEDS_ORIENTATIONS = 1u << 2 /* the scene then carries and integrates them */
+  SCREE_NEEDS_ORIENTATIONS = 1u << 2, /* the scene then carries and integrates them */
+  SCREE_NEEDS_NO_BODIES =
+      1u << 3 /* from position to held all data may be NULL; bodies that have been sorted in
+                                     memory need not be copied for it */
 };
 
 /* The scene at the end of a step, or at the start; with position_verlet, forces, loads and contacts are values of
