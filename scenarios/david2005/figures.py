@@ -8,225 +8,179 @@ quickstart.toml it records numbers alone.
 Usage: python3 scenarios/david2005/figures.py DIR... [--out FOLDER, default: the first DIR]
 DIR: a campaign of this folder, or this folder, for the runs that its runs.csv keeps. Needs python3-matplotlib
 and python3-pandas."""
-import math
-import os
-import statistics
+import itertools
+import pathlib
 import sys
 
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-from claims import draw_claims  # noqa: E402 (of this folder, like the next)
-from record import mean_of, put_frictions, put_groups, put_runs, quantities_of  # noqa: E402
-from runs import SPRINGS, kept_runs, merged, runs_at  # noqa: E402
-from drawing import pyplot  # noqa: E402 (of the folder above, like the next)
-from results import Results  # noqa: E402
-from tables import folders, made, no_runs, study_of  # noqa: E402
+PAPER = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(PAPER.parents[1] / "tools" / "python"))
+import scree  # noqa: E402 (of this tree)
 
-PAPER = os.path.dirname(os.path.abspath(__file__))
+scree.scripts.start("matplotlib", "pandas")
+import numpy  # noqa: E402
+from scree.charts import COLOURS, Curve, Panel, draw, shades  # noqa: E402
+from runs import DAVID, kept_runs, merged, put_frictions, put_groups, put_runs, runs_at  # noqa: E402 (of this folder)
+
 TABLE, KEPT = "runs.csv", "accumulation"  # the campaign whose runs the table keeps
-
-
-def with_error(mean, error, count):
-    """A mean and its standard error as text, in brackets where it is of two values, without where it is of one."""
-    if count < 2 or math.isnan(mean):
-        return f"{mean:.3g}"
-    return f"{mean:.3g} ± {error:.1g}" if count > 2 else f"{mean:.3g} (± {error:.1g})"
+FRICTIONS = (0.1, 0.15, 0.2, 0.25, 0.5)
+OUTSIDE = {"legend": {"loc": "center left", "bbox_to_anchor": (1, 0.5)}, "heading": {}}  # of panels
 
 
 def groups_of(runs):
     """Runs by size, friction and spring."""
-    groups = {}
-    for run in runs:
-        groups.setdefault((run.size, run.friction, run.spring), []).append(run)
-    return dict(sorted(groups.items()))
+    def kind(run):
+        return run.key[:3]
+    return {key: list(group) for key, group in itertools.groupby(sorted(runs, key=kind), kind)}
 
 
-def print_numbers(groups):
-    heads = ("strain after the last cycle", "per cycle, late", "first loop [Pa]", "slope [kPa]")
-    print(f"spheres     μ {'spring':14} seeds  {heads[0]:>28}  {heads[1]:>24}  {heads[2]:>20}  {heads[3]:>16}")
-    for (size, friction, spring), runs in groups.items():
-        texts = [with_error(mean, error, len(runs)) for _, _, mean, error in quantities_of(runs)[:4]]
-        print(
-            f"{size:7} {friction:5g} {spring:14} {len(runs):5}  {texts[0]:>28}  {texts[1]:>24}"
-            f"  {texts[2]:>20}  {texts[3]:>16}"
-        )
-
-
-def print_runs(runs):
-    print(
-        f"spheres     μ {'spring':14} seed period [s] step [s] cycles strain after the last"
-        " first loop [Pa] slope [kPa]"
-    )
-    for run in sorted(runs, key=lambda run: run.key):
-        print(
-            f"{run.size:7} {run.friction:5g} {run.spring:14} {run.seed:4} {run.period:10g} {run.step:8g}"
-            f" {len(run.loop_area):6} {run.strain[-1]:21.3g} {run.loop_area[0]:15.3g} {run.slope[0] / 1e3:11.3g}"
-        )
-    print("several periods or steps: no means")
-
-
-def plot_accumulation(axes, groups, title, name_of):
-    """Means of the seeds, with standard errors after the last cycle; logarithmic where they differ widely."""
-    ends = [mean_of([run.strain[-1] for run in runs])[0] for runs in groups.values()]
-    if min(ends) > 0 and max(ends) > 20 * min(ends):
-        axes.set_yscale("log")
-    for at, (label, runs, look) in enumerate(
-        with_looks(groups, lambda key: f"{name_of(key)}, n = {packings_of(groups, key)}")
-    ):
-        last = min(len(r.strain) for r in runs) - 1
-        axes.plot(range(last + 1), [1e3 * statistics.fmean(r.strain[c] for r in runs) for c in range(last + 1)],
-                  label=label, **look)
-        mean, error = mean_of([1e3 * r.strain[last] for r in runs])
-        error = None if math.isnan(error) else error
-        # Next to one another.
-        fill = "none" if look["linestyle"] == "--" else "full"
-        axes.errorbar(
-            last * (1.02 + 0.012 * at), mean, yerr=error, marker="o", markersize=4, fillstyle=fill, capsize=2, **look
-        )
-    axes.set(title=title, xlabel="cycle", ylabel="deviatoric strain at the least load / 10⁻³")
-
-
-def plot_loops(axes, groups, title, name_of, loop_of, width=1.2):
-    for label, runs, look in with_looks(groups, name_of):
-        strain, stress = loop_of(runs[0])
-        axes.plot([1e3 * e for e in strain], stress, label=label, **(look | {"linewidth": width}))
-    axes.set(title=title, xlabel="deviatoric strain / 10⁻³", ylabel="deviatoric stress / Pa")
-
-
-def with_looks(groups, name_of):
-    """Groups with a colour for each name and a style for each spring; with a label where a name is new."""
-    names = list(dict.fromkeys(name_of(key) for key in groups))
-    colours, labelled = pyplot.get_cmap("viridis"), set()
-    for key, runs in groups.items():
-        name = name_of(key)
-        colour = colours(0.9 * names.index(name) / max(len(names) - 1, 1))
-        style = "-" if key[2] == SPRINGS["linear_spring_dashpot"] else "--"
-        yield None if name in labelled else name, runs, {"color": colour, "linestyle": style, "linewidth": 1.2}
-        labelled.add(name)
-
-
-def packings_of(groups, key):
-    """Packings with each spring, one number where they are as many."""
-    counts = [len(runs) for other, runs in groups.items() if other[:2] == key[:2]]
-    return " and ".join(str(count) for count in (counts if len(set(counts)) > 1 else counts[:1]))
-
-
-def save(figure, panels, file, note):
-    figure.suptitle(f"Tangential springs: solid lines David et al., dashed lines painted points{note}", fontsize=10)
-    for axes in panels:
-        axes.grid(color="#eeeeee")
-        axes.legend(fontsize=8, frameon=False, loc="center left", bbox_to_anchor=(1, 0.5))
-    figure.tight_layout()
-    figure.savefig(file, dpi=80)
-    print(file)
-
-
-def size_of(key):
-    return f"{key[0]} spheres"
-
-
-def friction_of(key):
-    return f"μ = {key[1]:g}"
-
-
-def by_size(groups):
-    """Groups with the weakest friction, and that friction."""
+def groups_to_compare(groups):
+    """The weakest friction and its groups, over the size; the size with most groups, and these, over the friction."""
     weakest = min(friction for _, friction, _ in groups)
-    return {key: runs for key, runs in groups.items() if key[1] == weakest}, weakest
-
-
-def by_friction(groups):
-    """Groups of the size that has most of them, and that size."""
     size = max(groups, key=lambda key: sum(other[0] == key[0] for other in groups))[0]
-    return {key: runs for key, runs in groups.items() if key[0] == size}, size
+    return (weakest, {key: runs for key, runs in groups.items() if key[1] == weakest},
+            size, {key: runs for key, runs in groups.items() if key[0] == size})
 
 
-def values_of(groups, at):
-    """How many sizes (0) or frictions (1) there are."""
-    return len({key[at] for key in groups})
+def looks_of(groups, at):
+    """The runs of each group and the look of their curve: a colour for each size (0) or friction (1), which is named
+    once, and dashes for painted points."""
+    values = list(dict.fromkeys(key[at] for key in groups))
+    colours, named = dict(zip(values, shades(len(values)))), set()
+    for key, runs in groups.items():
+        name = (f"{key[0]} spheres", f"μ = {key[1]:g}")[at]
+        yield key, runs, {"label": None if name in named else name, "color": colours[key[at]], "linewidth": 1.2,
+                          "linestyle": "-" if key[2] == DAVID else "--"}
+        named.add(name)
 
 
-def draw_panels(panels, file, note=""):
-    """A function for each of them."""
-    figure, [axes] = pyplot.subplots(1, len(panels), figsize=(1.4 + 6.2 * len(panels), 5), squeeze=False)
-    for part, draw in zip(axes, panels):
-        draw(part)
-    save(figure, axes, file, note)
+def mean_strain(runs):
+    """Strain (10⁻³) over the cycles that all of the runs have."""
+    last = min(len(run.strain) for run in runs)
+    return 1e3 * numpy.mean([run.strain[:last] for run in runs], axis=0)
 
 
-def draw_accumulation(groups, file):
+def strain_panel(title, groups, at):
+    """Means of the seeds, with standard errors after the last cycle; logarithmic where they differ widely."""
+    curves, ends = [], []
+    for number, (key, runs, look) in enumerate(looks_of(groups, at)):
+        strain = mean_strain(runs)
+        last = len(strain) - 1
+        counts = dict.fromkeys(len(others) for other, others in groups.items() if other[:2] == key[:2])
+        label = look["label"] and f"{look['label']}, n = {' and '.join(map(str, counts))}"
+        mean, error = scree.fits.mean_and_error(1e3 * run.strain[last] for run in runs)
+        fill = "none" if look["linestyle"] == "--" else "full"
+        curves += [Curve(range(last + 1), strain, **look | {"label": label}),
+                   Curve([last * (1.02 + 0.012 * number)], [mean], error=error, marker="o",
+                         markersize=4, fillstyle=fill, capsize=2, **look | {"label": None})]  # next to one another
+        ends.append(numpy.mean([run.strain[-1] for run in runs]))
+    scale = "log" if min(ends) > 0 and max(ends) > 20 * min(ends) else "linear"
+    return Panel(title, "cycle", "deviatoric strain at the least load / 10⁻³", *curves, yscale=scale, **OUTSIDE)
+
+
+def loops_panel(title, groups, at, cycles, width=1.2):
+    """Stress over strain of the first run of each group; cycles: of a run."""
+    curves = []
+    for _, runs, look in looks_of(groups, at):
+        strain, stress = cycles(runs[0])
+        curves.append(Curve(1e3 * strain, stress, **look | {"linewidth": width}))
+    return Panel(title, "deviatoric strain / 10⁻³", "deviatoric stress / Pa", *curves, **OUTSIDE)
+
+
+def draw_groups(panels, path, note=""):
+    title = f"Tangential springs: solid lines David et al., dashed lines painted points{note}"
+    print(draw(path, panels, (1.4 + 6.2 * len(panels), 5), title=title))
+
+
+def draw_accumulation(groups, path):
     """Over sizes and frictions, or the one of which there are several."""
-    (sizes, weakest), (frictions, compared) = by_size(groups), by_friction(groups)
-    panels = []
-    if values_of(sizes, 0) > 1 or values_of(frictions, 1) < 2:
-        title = f"Size, μ = {weakest:g}, mean of the seeds"
-        panels.append(lambda axes: plot_accumulation(axes, sizes, title, size_of))
-    if values_of(frictions, 1) > 1:
-        panels.append(
-            lambda axes: plot_accumulation(
-                axes, frictions, f"Friction, {compared} spheres, mean of the seeds", friction_of
-            )
-        )
-    draw_panels(panels, file, "; n packings of each")
+    friction, sizes, size, frictions = groups_to_compare(groups)
+    panels, several = [], len({key[1] for key in frictions}) > 1
+    if len({key[0] for key in sizes}) > 1 or not several:
+        panels.append(strain_panel(f"Size, μ = {friction:g}, mean of the seeds", sizes, 0))
+    if several:
+        panels.append(strain_panel(f"Friction, {size} spheres, mean of the seeds", frictions, 1))
+    draw_groups(panels, path, "; n packings of each")
 
 
-def draw_loops(groups, file):
-    """Of runs that have their loops: all cycles, unless they are the first alone and drawn for several
-    frictions, and the first."""
-    looped = {key: [run for run in runs if run.loops] for key, runs in groups.items()}
-    looped = {key: runs for key, runs in looped.items() if runs}
-    if not looped:
+def draw_loops(groups, path):
+    """Of runs that have their loops: all cycles, unless they are the first alone and drawn for several frictions, and
+    the first. All cycles are of one spring, since two would hide each other."""
+    groups = groups_of(run for runs in groups.values() for run in runs if run.cycles)
+    if not groups:
         return
-    (sizes, weakest), (frictions, compared) = by_size(looped), by_friction(looped)
-    largest = {key: runs for key, runs in sizes.items() if key[0] == max(size for size, _, _ in sizes)}
-    # Loops of two springs would hide each other.
-    spring = min((key[2] for key in largest), key=list(SPRINGS.values()).index)
-    largest = {key: runs for key, runs in largest.items() if key[2] == spring}
-    panels, compares = [], values_of(frictions, 1) > 1
-    if not compares or any(len(run.loop_area) > 1 for runs in largest.values() for run in runs):
-        title = f"All cycles, {spring}, μ = {weakest:g}, first seed"
-        panels.append(lambda axes: plot_loops(axes, largest, title, size_of, lambda run: run.loops, 0.4))
-    if compares:
-        title_of_first = f"First cycle, {compared} spheres, first seed"
-        panels.append(
-            lambda axes: plot_loops(axes, frictions, title_of_first, friction_of, lambda run: run.first_loop())
-        )
-    draw_panels(panels, file)
+    friction, sizes, size, frictions = groups_to_compare(groups)
+    largest = max(sizes, key=lambda key: key[0])
+    panels, several = [], len({key[1] for key in frictions}) > 1
+    if not several or any(len(run.loop_area) > 1 for run in sizes[largest]):
+        title = f"All cycles, {largest[2]}, μ = {friction:g}, first seed"
+        panels.append(loops_panel(title, {largest: sizes[largest]}, 0, lambda run: run.cycles, 0.4))
+    if several:
+        title = f"First cycle, {size} spheres, first seed"
+        panels.append(loops_panel(title, frictions, 1, lambda run: run.first_cycle))
+    draw_groups(panels, path)
 
 
-def evaluate(folder, out, results):
-    """Draws and records the runs of a folder."""
-    study, campaign = study_of(folder), folder
+def size_panel(groups):
+    """Figure 3."""
+    colours = dict(zip(dict.fromkeys(size for size, _, _ in groups), COLOURS))
+    curves = []
+    for (size, _, spring), runs in groups.items():
+        strain, solid = mean_strain(runs), spring == DAVID
+        curves.append(Curve(range(len(strain)), strain, "-" if solid else "--", color=colours[size], linewidth=1.3,
+                            label=f"{size} spheres" if solid else None))
+    return Panel("Size (figure 3), μ = 0.1\ndashed: path-independent springs", "cycle",
+                 "deviatoric strain at the least load / 10⁻³", *curves, legend={"loc": "lower right"}, ylim=(0, None))
+
+
+def friction_panel(numbers, title, quantity, unit, curves, legend_height, **settings):
+    """A quantity of results.csv over the friction. curves: size, study and label."""
+    drawn = []
+    for (size, study, label), colour in zip(curves, (COLOURS[0], COLOURS[3])):
+        found = [(friction, numbers.value(study, quantity, f"{size} spheres, μ = {friction:g}, {DAVID}"))
+                 for friction in FRICTIONS]
+        points = [(friction, *value) for friction, value in found if value]
+        if points:
+            friction, mean, error = zip(*points)
+            drawn.append(Curve(friction, mean, error=error, marker="o", markersize=5, capsize=3, linewidth=1.2,
+                               color=colour, label=f"{size} spheres, {label}"))
+    legend = {"loc": "lower right", "bbox_to_anchor": (1, legend_height)}
+    return Panel(title, "friction of the load", quantity + unit, *drawn, legend=legend, xticks=FRICTIONS, **settings)
+
+
+def draw_claims(groups, numbers, path):
+    """Figures 3, 5 and 4. groups: of one friction, by size."""
+    own = 1728, "accumulation", "each prepared with its friction"
+    panels = [size_panel(groups),
+              friction_panel(numbers, "Friction (figure 5)", "strain after 100 cycles", "",
+                             [(1000, "same-packings", "the same packings"), own], 0.55, yscale="log"),
+              friction_panel(numbers, "Friction (figure 4)", "slope of the first loop", " / kPa",
+                             [(1728, "first-cycle", "the same packings"), own], 0.02, ylim=(0, None))]
+    print(draw(path, panels, (13, 4.2)))
+
+
+def evaluate(campaign, out, numbers):
+    """Draws and records the runs of a campaign, or those that a table keeps in its folder."""
+    study = campaign.study
     if study in ("friction-campaign", "prepared-friction-campaign"):
-        return put_frictions(results, study, folder)
-    found = runs_at(folder)
-    if len({(run.period, run.step) for run in found}) > 1:
-        print_runs(found)
-        return put_runs(results, study, found, folder)
-    if not found:
-        found, study, campaign = kept_runs(os.path.join(folder, TABLE)), KEPT, None
+        return put_frictions(numbers, study, campaign)
+    found = runs_at(campaign)
+    if len({run.key[4:] for run in found}) > 1:
+        return put_runs(numbers, study, found, campaign)
+    kept = [] if found else kept_runs(campaign.path / TABLE)
+    if kept:
+        found, study, campaign = kept, KEPT, None
+    elif not found:
+        raise scree.scripts.no_runs(campaign, f"scenarios/david2005/{KEPT}.toml")
     elif study == KEPT:
-        found = merged(found, folder, os.path.join(made(out), TABLE))
-    if not found:
-        no_runs(folder, f"scenarios/david2005/{KEPT}.toml")
+        found = merged(found, campaign, out / TABLE)
     groups = groups_of(found)
-    made(out)
-    print_numbers(groups)
-    put_groups(results, study, groups, campaign)
+    put_groups(numbers, study, groups, campaign)
     if len(found[0].strain) > 2:
-        draw_accumulation(groups, os.path.join(out, f"{study}.png"))
-    return draw_loops(groups, os.path.join(out, "loops.png" if study == KEPT else f"{study}-loops.png"))
-
-
-def main():
-    given, out = folders(__doc__)
-    results = Results(PAPER, out)
-    for folder in given:
-        evaluate(folder, out, results)
-    results.write()
-    kept = kept_runs(os.path.join(out, TABLE)) or kept_runs(os.path.join(PAPER, TABLE))
-    draw_claims(by_size(groups_of(kept))[0], results, out)
+        draw_accumulation(groups, out / f"{study}.png")
+    return draw_loops(groups, out / ("loops.png" if study == KEPT else f"{study}-loops.png"))
 
 
 if __name__ == "__main__":
-    main()
+    out, numbers = scree.scripts.record(__doc__, PAPER, evaluate)
+    kept = kept_runs(out / TABLE) or kept_runs(PAPER / TABLE)
+    draw_claims(groups_to_compare(groups_of(kept))[1], numbers, out / "claims.png")

@@ -1,26 +1,27 @@
 """Pictures of the gallery that are charts: bouncing ball, gas that cools, piston, wave in a chain."""
 import math
 
-from drawing import pyplot
 import numpy
+import scree
+from matplotlib import colormaps
 from matplotlib.collections import EllipseCollection
+from matplotlib.patches import Rectangle
+from scree.charts import BLUE, ORANGE, RED
 
-BLUE, ORANGE, GREEN, RED, GREY = "#1b3a6b", "#d98e04", "#2e8b6f", "#c0392b", "#777777"
+GREEN, GREY = "#2e8b6f", "#777777"
+BLUES = colormaps["Blues"]
 
 
 def chart(rows=1, columns=1, height=4.2, **options):
     """Figure and axes, without the lines above and on the right."""
-    figure, axes = pyplot.subplots(rows, columns, figsize=(6.4, height), **options)
+    figure, axes = scree.charts.blank(rows, columns, (6.4, height), **options)
     for each in figure.axes:
         each.spines[["top", "right"]].set_visible(False)
-    return figure, axes
+    return figure, axes.flat if axes.size > 1 else axes[0, 0]
 
 
 def save(figure, path):
-    figure.tight_layout()
-    figure.savefig(path, dpi=100)
-    pyplot.close(figure)
-    print("  " + path)
+    print("  " + scree.charts.save(figure, path, dpi=100))
 
 
 def draw_discs(axes, x, y, radius, colours, edge="#5f7186"):
@@ -106,9 +107,9 @@ def piston(run, _, path):
     figure, (gas, axes) = chart(1, 2, gridspec_kw={"width_ratios": [1, 2.2]})
     beads = run.bodies().sort_values("y", ascending=False, kind="stable")
     draw_discs(gas, beads.x % 0.05 * 1e3, beads.z * 1e3, 1 + 0 * beads.x,
-               pyplot.cm.Blues(0.75 - 0.5 * (beads.y % 0.05) / 0.05))
+               BLUES(0.75 - 0.5 * (beads.y % 0.05) / 0.05))
     wall(gas, (0, 58), (0, 0), (50, 0), (50, 58))
-    gas.add_patch(pyplot.Rectangle((0, 27), 50, 4, color="#333333"))
+    gas.add_patch(Rectangle((0, 27), 50, 4, color="#333333"))
     gas.plot([0, 50], [52, 52], "--", color=GREY, linewidth=1.2)
     gas.annotate("", (25, 34), (25, 50), arrowprops={"arrowstyle": "-|>", "color": RED, "linewidth": 1.5})
     gas.set(xlim=(-2, 52), ylim=(-2, 60))

@@ -7,12 +7,13 @@ import os
 import sys
 import tempfile
 
-HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path.insert(0, os.path.dirname(HERE))
-sys.path.insert(0, HERE)
-import curves  # noqa: E402 (beside this file, like the next)
+HERE = os.path.dirname(os.path.realpath(__file__))
+sys.path.insert(0, os.path.join(HERE, "..", "..", "tools", "python"))
+import scree  # noqa: E402 (of this tree)
+
+scree.scripts.start("matplotlib", "pandas")
+import curves  # noqa: E402 (of this folder, like the next)
 import grains  # noqa: E402
-from tables import arguments, made, refuse, scree  # noqa: E402 (of the folder above)
 
 # The picture of each scene, and the numbers of bodies of further runs, which the picture compares.
 SCENES = {
@@ -49,14 +50,14 @@ def draw(folder, scenes):
 
 
 def main():
-    given = arguments(__doc__, 1, 2 + len(SCENES))
+    given = scree.scripts.arguments(__doc__, 1, 2 + len(SCENES))
     scenes = given[2:] or list(SCENES)
     unknown = [scene for scene in scenes if scene not in SCENES]
     if unknown:
-        refuse(f"{unknown[0]}: no scene of the gallery; give one of {', '.join(SCENES)}")
+        raise scree.Error(f"{unknown[0]}: no scene of the gallery; give one of {', '.join(SCENES)}")
     os.environ["SCREE_PROGRAM"] = given[0]
     if len(given) > 1:
-        draw(made(given[1]), scenes)
+        draw(given[1], scenes)
         return
     with tempfile.TemporaryDirectory() as folder:
         draw(folder, scenes)

@@ -2,9 +2,9 @@
 import math
 
 import numpy
-from curves import BLUE, GREEN, GREY, ORANGE, RED, chart, draw_discs, save, wall
-from drawing import pyplot
+from curves import BLUE, BLUES, GREEN, GREY, ORANGE, RED, chart, draw_discs, save, wall
 from matplotlib.collections import LineCollection
+from matplotlib.patches import Circle
 
 GRAIN = "#cfd8e3"
 
@@ -30,7 +30,7 @@ def angle_of_repose(run, _, path):
 
     figure, axes = chart(height=4.8)
     draw_discs(axes, *turned(bodies.x, bodies.z), bodies.radius * 1e3,
-               pyplot.cm.Blues(0.25 + 0.35 * (1 - bodies.y / 0.0208)))
+               BLUES(0.25 + 0.35 * (1 - bodies.y / 0.0208)))
     wall(axes, turned(0, 0.055), turned(0, 0), turned(length, 0), turned(length, 0.055))
     ends = [turned(x, slope * x + offset) for x in (0.1 * length, length)]
     axes.plot(*zip(*ends), color=RED, linewidth=2.5)
@@ -57,7 +57,7 @@ def brazil_nut(run, _, path):
     bodies, nut, width = run.bodies(), run.series["nut"], 0.1026
     draw_grains(box, bodies, numpy.where(bodies.id == 1000, ORANGE, GRAIN))
     settled = nut.loc[(nut.time - 0.5).abs().idxmin()]
-    box.add_patch(pyplot.Circle((settled.x_1000 * 1e3, settled.y_1000 * 1e3), 10, fill=False, color=RED, linewidth=1.8,
+    box.add_patch(Circle((settled.x_1000 * 1e3, settled.y_1000 * 1e3), 10, fill=False, color=RED, linewidth=1.8,
                                 linestyle="--"))
     wall(box, (0, 100), (0, 0), (width * 1e3, 0), (width * 1e3, 100))
     box.set(xlim=(-3, width * 1e3 + 3), ylim=(-3, 104))

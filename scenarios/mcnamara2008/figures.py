@@ -7,218 +7,184 @@ of laws and steps, rattlers.png of rattlers and long; of choices, fine and large
 picture lacks the panels whose campaigns are missing, and a line says so. Needs python3-matplotlib and
 python3-pandas."""
 import math
-import os
+import pathlib
+import sys
 
-from packing import draw_packing
-from record import (FRICTION, LOAD, Biaxial, bodies_of, contact_that_slides, ellipses_of, lines_of, long_runs,
-                    phases_of, put_all, sine_fit, widest_of)
-from series import DROPPED, numpy, slope_of, strains
-from style import BLUE, GREEN, GREY, ORANGE, PURPLE, RED, label, pyplot, save
-from results import Results  # of the folder above, which series.py adds, like the next
-from tables import folders, no_runs, study_of
+PAPER = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(PAPER.parents[1] / "tools" / "python"))
+import scree  # noqa: E402 (of this tree)
 
-PAPER = os.path.dirname(os.path.abspath(__file__))
-MARKS = "os^dv<>ph*"
+scree.scripts.start("matplotlib", "pandas")
+import numpy  # noqa: E402
+from record import PUT  # noqa: E402 (of this folder, like the next)
+from series import (DROPPED, bodies_of, ellipses_of, long_runs, paths_of, phases_of, sine_fit, slope_of,
+                    steps_of, strains)  # noqa: E402
+from scree.charts import BLUE, GREEN, GREY, ORANGE, RED, Curve, Panel, room_below  # noqa: E402
+from scree.packings import frame, packing  # noqa: E402
+
+LOAD, FRICTION = 0.15, 0.2  # Δσ/p, μ
+PURPLE, MARKS = "#a569bd", "os^dv<>ph*"
 SETTLING = 82  # packing of long.toml that shakes down
-CAMPAIGNS = ("paths", "elliptic", "laws", "steps", "rattlers", "long", "choices", "fine", "large")
+FORCES = "$F_n$ / N", "$F_t$ / N"
 
 
-def compose(name, panels, out):
-    """Draws the panels that have data, two in a row, and prints what the others need. panels: (what it is and
-    needs, data, how to draw it)."""
-    ready = [(data, draw) for _, data, draw in panels if data]
-    for needs in dict.fromkeys(needs for needs, data, _ in panels if not data):
-        print(f"{name} {'without' if ready else 'not drawn:'} {needs}")
-    if not ready:
-        return
-    wide, high = min(len(ready), 2), (len(ready) + 1) // 2
-    figure, axes = pyplot.subplots(high, wide, figsize=(5 * wide + 0.5 * (wide == 1), 4.2 * high), squeeze=False)
-    for panel in axes.flat[len(ready) :]:
-        panel.remove()
-    for panel, (data, draw) in zip(axes.flat, ready):
-        draw(panel, data)
-    save(figure, out, name)
+def loop_panel(biaxial):
+    cycles = numpy.arange(3 * biaxial.per_cycle + 1) / biaxial.per_cycle
+    load, gamma = LOAD * (1 - numpy.cos(2 * math.pi * cycles)), biaxial.gamma[: len(cycles)]
+    curve = Curve(load, 1e3 * gamma, color=BLUE, linewidth=1)
+    return Panel(f"{biaxial.name}: three cycles (figure 1)", "$q$ / p", r"$\gamma$ / 10$^{-3}$", curve)
 
 
-def power_of(values):
-    """Power of ten of the largest magnitude."""
-    largest = max(abs(values))
-    return math.floor(math.log10(largest)) if largest > 0 else 0
+def minima_panel(gamma, title, look="o-"):
+    """Strains at the least load from cycle DROPPED on, over the power of ten of the largest."""
+    gamma = gamma - gamma[0]
+    largest = max(abs(gamma))
+    power = math.floor(math.log10(largest)) if largest > 0 else 0
+    cycles = range(DROPPED, DROPPED + len(gamma))
+    curve = Curve(cycles, gamma / 10.0**power, look, markersize=3.5, linewidth=0.5, color=BLUE)
+    return Panel(title, "cycle", rf"$\gamma$ minus $\gamma$ of cycle {DROPPED} / 10$^{{{power}}}$", curve)
 
 
-def draw_slip(axes, paths):
-    name, (n, t, sliding) = contact_that_slides(paths)
-    axes.plot(n, t, color=GREY, linewidth=1)
-    for slips, colour, text in ((0, BLUE, "sticks"), (1, RED, "slides")):
-        axes.plot(n[sliding == slips], t[sliding == slips], ".", markersize=4, color=colour, label=text)
+def slip_panel(paths):
+    name = max(paths.slips, key=paths.slips.get)
+    n, t, sliding = paths.contacts[name]
     ends = numpy.array([0, max(n) * 1.02])
-    for sign, text in ((1, r"$\pm\mu F_n$"), (-1, None)):
-        axes.plot(ends, sign * FRICTION * ends, color="black", linestyle=":", label=text)
-    axes.set_xlim(min(n) - 0.4 * (max(n) - min(n)), ends[1])
-    axes.legend(frameon=False, fontsize=8)
-    label(axes, f"Sliding contact, {bodies_of(name)} (figure 3)", "$F_n$ / N", "$F_t$ / N")
+    return Panel(f"Sliding contact, {bodies_of(name)} (figure 3)", *FORCES, Curve(n, t, color=GREY, linewidth=1),
+                 Curve(n[sliding == 0], t[sliding == 0], ".", markersize=4, color=BLUE, label="sticks"),
+                 Curve(n[sliding == 1], t[sliding == 1], ".", markersize=4, color=RED, label="slides"),
+                 Curve(ends, FRICTION * ends, ":", color="black", label=r"$\pm\mu F_n$"),
+                 Curve(ends, -FRICTION * ends, ":", color="black"), legend={},
+                 xlim=(min(n) - 0.4 * (max(n) - min(n)), ends[1]))
 
 
-def draw_stick(axes, paths):
+def stick_panel(paths):
     """Paths about their middles, of contacts that never slide, with the largest areas."""
-    sticking = sorted((c for c, v in paths.contacts.items() if not sum(v[2])), key=lambda c: -abs(paths.area(c)))[:5]
+    curves = []
+    sticking = (name for name in paths.areas if name not in paths.slips)
     for name, colour in zip(sticking, (BLUE, ORANGE, GREEN, RED, GREY)):
         n, t, _ = paths.contacts[name]
-        axes.plot(n - n.mean(), t - t.mean(), color=colour, linewidth=1.2, label=bodies_of(name))
-    axes.legend(frameon=False, fontsize=8)
-    axes.locator_params(axis="x", nbins=6)
-    label(axes, "Sticking contacts (figure 4)", "$F_n$ less its mean / N", "$F_t$ less its mean / N")
+        curves.append(Curve(n - n.mean(), t - t.mean(), color=colour, linewidth=1.2, label=bodies_of(name)))
+    return Panel("Sticking contacts (figure 4)", "$F_n$ less its mean / N", "$F_t$ less its mean / N", *curves,
+                 legend={}, xticks=6)
 
 
-def draw_loop(axes, biaxial):
-    cycles = numpy.arange(3 * biaxial.per + 1) / biaxial.per
-    axes.plot(LOAD * (1 - numpy.cos(2 * math.pi * cycles)), biaxial.gamma[: len(cycles)] * 1e3, color=BLUE, linewidth=1)
-    label(axes, f"{biaxial.name}: three cycles (figure 1)", "$q$ / p", r"$\gamma$ / 10$^{-3}$")
-
-
-def draw_minima(axes, gamma, title, look):
-    """Strains at the least load from cycle DROPPED on."""
-    about_first = gamma - gamma[0]
-    power = power_of(about_first)
-    cycles = range(DROPPED, DROPPED + len(gamma))
-    axes.plot(cycles, about_first / 10.0**power, look, markersize=3.5, linewidth=0.5, color=BLUE)
-    label(axes, title, "cycle", rf"$\gamma$ minus $\gamma$ of cycle {DROPPED} / 10$^{{{power}}}$")
-
-
-def draw_ratcheting(axes, biaxial):
-    gamma = biaxial.gamma[DROPPED * biaxial.per :: biaxial.per]
-    draw_minima(axes, gamma, "Strain at the least load (figure 2)", "o")
-
-
-def draw_cycle(campaigns, out):
-    run = next((r for r in long_runs(campaigns.get("paths"), "case") if r.row["case"] == "biaxial"), None)
-    biaxial = Biaxial(run) if run else None
+def cycle(campaigns):
+    """Figures 1 to 4."""
     needs = "figures 1 to 4, of paths.toml: case biaxial with 30 cycles or more"
-    sliding = biaxial.paths if biaxial and biaxial.slides() else None
-    slip = "figure 3, of a contact that slides" if biaxial else needs
-    compose("cycle.png", [(needs, biaxial, draw_loop), (needs, biaxial, draw_ratcheting), (slip, sliding, draw_slip),
-                          (needs, biaxial and biaxial.paths, draw_stick)], out)
+    biaxial = paths_of(campaigns.get("paths")).get("biaxial")
+    if not biaxial:
+        return [(needs, None)]
+    return [(needs, loop_panel(biaxial)),
+            (needs, minima_panel(biaxial.minima, "Strain at the least load (figure 2)", "o")),
+            ("figure 3, of a contact that slides", biaxial.slips and slip_panel(biaxial)),
+            (needs, stick_panel(biaxial))]
 
 
-def draw_phases(axes, by_packing):
+def phases_panel(by_packing):
+    curves = []
     for (case, seed), slopes in by_packing.items():
-        amplitude = sine_fit(slopes)[0]
         if case == "a third of the load":
-            phases = sorted(slopes)
-            axes.plot(phases, [slopes[p] / amplitude for p in phases], MARKS[seed % len(MARKS)], markersize=5,
-                      fillstyle="none", label=f"{seed}: {amplitude:.1e}")
+            amplitude, phases = sine_fit(slopes)[0], numpy.array(sorted(slopes))
+            curves.append(Curve(phases + 90, [slopes[p] / amplitude for p in phases], MARKS[seed % len(MARKS)],
+                                markersize=5, fillstyle="none", label=f"{seed}: {amplitude:.1e}"))
     degrees = numpy.arange(361)
-    axes.plot(degrees, numpy.sin(numpy.radians(degrees)), color="black", linewidth=1, label=r"sin $\varphi$")
-    axes.legend(title="packing: A per cycle", frameon=False, fontsize=8, title_fontsize=8)
-    axes.set_xticks(range(0, 361, 60))
-    label(axes, r"Strain per cycle without slip, $\Delta\sigma$ = 0.05 p (figure 5)", r"$\varphi$ / °",
-          r"$\Delta\gamma$ / A")
+    sine = Curve(degrees, numpy.sin(numpy.radians(degrees)), color="black", linewidth=1, label=r"sin $\varphi$")
+    return Panel(r"Strain per cycle without slip, $\Delta\sigma$ = 0.05 p (figure 5)", r"$\varphi$ / °",
+                 r"$\Delta\gamma$ / A", *curves, sine, legend={"title": "packing: A per cycle"},
+                 xticks=range(0, 361, 60))
 
 
-def draw_ellipses(axes, runs):
-    paths = ellipses_of(runs)
-    widest = widest_of(paths)
-    for (phase, of_phase), colour in zip(paths.items(), (BLUE, ORANGE, GREEN, RED)):
-        n, t, _ = of_phase.contacts[widest]
-        axes.plot(n, t, color=colour, linewidth=1.2, label=phase)
-    axes.legend(title=r"$\varphi$ / °", frameon=False, fontsize=8, title_fontsize=8)
-    label(axes, f"Packing {runs[0].row['seed']}, {bodies_of(widest)} (figure 6)", "$F_n$ / N", "$F_t$ / N")
+def ellipses_panel(ellipses, widest):
+    curves = [Curve(*paths.contacts[widest][:2], color=colour, linewidth=1.2, label=phase)
+              for (phase, paths), colour in zip(ellipses.items(), (BLUE, ORANGE, GREEN, RED))]
+    return Panel(f"Packing {ellipses['90'].seed}, {bodies_of(widest)} (figure 6)", *FORCES, *curves,
+                 legend={"title": r"$\varphi$ / °"})
 
 
-def draw_loads(campaigns, out):
-    runs = [run for run in long_runs(campaigns.get("paths"), "case") if run.row["case"].startswith("phase ")]
-    runs = runs if any(run.row["case"] == "phase 90" for run in runs) else []
-    phases = phases_of(campaigns.get("elliptic"))
-    needs = "figure 5, of elliptic.toml: three phases or more, of 30 cycles or more"
-    other = "figure 6, of paths.toml: case phase 90 with 30 cycles or more"
-    compose("ellipse.png", [(needs, phases, draw_phases), (other, runs, draw_ellipses)], out)
+def ellipse(campaigns):
+    """Figures 5 and 6."""
+    phases, (ellipses, widest) = phases_of(campaigns.get("elliptic")), ellipses_of(paths_of(campaigns.get("paths")))
+    return [("figure 5, of elliptic.toml: three phases or more, of 30 cycles or more", phases and phases_panel(phases)),
+            ("figure 6, of paths.toml: case phase 90 with 30 cycles or more",
+             ellipses and ellipses_panel(ellipses, widest))]
 
 
-def draw_laws(axes, runs):
+def ranks_panel(laws):
     """|Δγ| of the packings that ratchet, in descending order."""
+    curves = []
     for case, colour, mark in (("Cundall and Strack", BLUE, "o"), ("corrected", RED, "x")):
-        slopes = [slope for slope, rms in (slope_of(r) for r in runs if r.row["case"] == case) if rms < abs(slope)]
-        if not slopes:
-            continue
-        ordered = sorted((abs(s) for s in slopes), reverse=True)
-        axes.semilogy(range(1, len(ordered) + 1), ordered, mark, markersize=4, color=colour, label=case)
-    if axes.lines:
-        axes.legend(frameon=False, fontsize=8)
-    label(axes, "Packings that ratchet (figure 13)", "rank", r"$|\Delta\gamma|$ per cycle")
+        slopes = [slope_of(run) for run in laws if run.row["case"] == case]
+        ordered = sorted((abs(slope) for slope, deviation in slopes if deviation < abs(slope)), reverse=True)
+        if ordered:
+            curves.append(Curve(range(1, len(ordered) + 1), ordered, mark, markersize=4, color=colour, label=case))
+    return Panel("Packings that ratchet (figure 13)", "rank", r"$|\Delta\gamma|$ per cycle", *curves, yscale="log",
+                 legend={} if curves else None)
 
 
-def draw_over_steps(axes, lines):
+def steps_panel(lines):
     seeds = sorted({seed for _, seed in lines})
-    named = set()
+    colours, curves = dict(zip(seeds, (BLUE, ORANGE, GREEN, RED, GREY, PURPLE))), []
     for (law, seed), slopes in lines.items():
-        sizes = sorted(slopes)
-        axes.loglog(sizes, [abs(slopes[h]) for h in sizes], "x-" if law == "disc_cundall_strack" else "o--",
-                    fillstyle="none", linewidth=1, markersize=5,
-                    color=(BLUE, ORANGE, GREEN, RED, GREY, PURPLE)[seeds.index(seed) % 6],
-                    label=None if seed in named else f"{seed}")
-        named.add(seed)
-    axes.set_ylim(bottom=axes.get_ylim()[0] / 20)
-    axes.legend(title="crosses: Cundall and Strack, circles: corrected, of packings", frameon=False, fontsize=8,
-                title_fontsize=8, ncols=3, loc="lower left")
-    label(axes, "Strain per cycle over the step (figure 14)", r"step / $\tau$", r"$|\Delta\gamma|$ per cycle")
+        named = any(curve.options["label"] == f"{seed}" for curve in curves)
+        look = "x-" if law == "disc_cundall_strack" else "o--"
+        curves.append(Curve(sorted(slopes), [abs(slopes[h]) for h in sorted(slopes)], look, fillstyle="none",
+                            linewidth=1, markersize=5, color=colours[seed], label=None if named else f"{seed}"))
+    legend = {"title": "crosses: Cundall and Strack, circles: corrected, of packings", "ncols": 3, "loc": "lower left"}
+    return Panel("Strain per cycle over the step (figure 14)", r"step / $\tau$", r"$|\Delta\gamma|$ per cycle", *curves,
+                 room_below, legend=legend, xscale="log")
 
 
-def draw_steps(campaigns, out):
-    runs = long_runs(campaigns.get("laws"), "case")
-    laws = [run for run in runs if run.row["case"] in ("Cundall and Strack", "corrected")]
-    needs = "figure 13, of laws.toml: Cundall and Strack or corrected, 30 cycles or more"
-    both = "figure 14, of steps.toml: both laws, two steps or more of each, of 30 cycles or more"
-    lines = lines_of(campaigns.get("steps"))
-    compose("steps.png", [(needs, laws, draw_laws), (both, lines, draw_over_steps)], out)
+def steps(campaigns):
+    """Figures 13 and 14."""
+    laws = [r for r in long_runs(campaigns.get("laws"), "case") if r.row["case"] in ("Cundall and Strack", "corrected")]
+    lines = steps_of(campaigns.get("steps"))
+    return [("figure 13, of laws.toml: Cundall and Strack or corrected, 30 cycles or more", laws and ranks_panel(laws)),
+            ("figure 14, of steps.toml: both laws, two steps or more of each, of 30 cycles or more",
+             lines and steps_panel(lines))]
 
 
-def draw_outlier(axes, run):
-    title = f"A disc without contacts, packing {run.row['seed']} (figure 15)"
-    draw_minima(axes, strains(run, DROPPED)[DROPPED:], title, "o-")
+def packing_panel(run):
+    box = run.series["load"].iloc[-1]
+    title = f"Packing {run.row['seed']} (figure 16): normal forces blue,\ntangential red across them, velocity green"
+    return Panel(title, "$x$ / L", "$y$ / L", frame(box.length_x, box.length_y), packing(run, 8, 3, 0.12), grid=False,
+                 xlim=(-0.02, box.length_x + 0.02), ylim=(-0.02, box.length_y + 0.02), aspect="equal")
 
 
-def draw_repeating(axes, run):
-    title = f"Cycles that repeat, packing {run.row['seed']} (figure 17)"
-    draw_minima(axes, strains(run, DROPPED)[DROPPED:], title, "o-")
+def settling_panel(run):
+    gamma = strains(run)
+    curve = Curve(range(DROPPED, DROPPED + len(gamma) - 1), abs(gamma[:-1] - gamma[-1]), color=BLUE, linewidth=1)
+    return Panel(f"Shakedown, packing {SETTLING} (figure 18)", "cycle",
+                 r"$|\gamma$ minus $\gamma$ of the last cycle$|$", curve, yscale="log")
 
 
-def draw_settling(axes, run):
-    gamma = strains(run, DROPPED)[DROPPED:]
-    cycles = range(DROPPED, DROPPED + len(gamma) - 1)
-    axes.semilogy(cycles, abs(gamma[:-1] - gamma[-1]), color=BLUE, linewidth=1)
-    label(axes, f"Shakedown, packing {run.row['seed']} (figure 18)", "cycle",
-          r"$|\gamma$ minus $\gamma$ of the last cycle$|$")
-
-
-def draw_rattlers(campaigns, out):
+def rattlers(campaigns):
+    """Figures 15 to 18."""
     runs = {run.row["case"]: run for run in long_runs(campaigns.get("rattlers"), "case")}
     outliers, periodic = runs.get("outliers"), runs.get("periodic")
-    longest = {run.row["seed"]: run for run in long_runs(campaigns.get("long"))}
+    settling = {run.row["seed"]: run for run in long_runs(campaigns.get("long"))}.get(SETTLING)
     needs = "figures 15 and 16, of rattlers.toml: case outliers with 30 cycles or more"
-    repeating = "figure 17, of rattlers.toml: case periodic with 30 cycles or more"
-    settling = f"figure 18, of long.toml: packing {SETTLING} with 30 cycles or more"
-    compose("rattlers.png", [(needs, outliers, draw_outlier), (needs, outliers, draw_packing),
-                             (repeating, periodic, draw_repeating), (settling, longest.get(SETTLING), draw_settling)], out)
-
-
-def campaigns_in(given):
-    """Folders of campaigns by the names of their files."""
-    found = {}
-    for folder in given:
-        for place in (folder, *(os.path.join(folder, name) for name in CAMPAIGNS)):
-            if os.path.exists(os.path.join(place, "table.csv")):
-                found.setdefault(study_of(place), place)
-    return found
+    alone, repeating = (run and f"packing {run.row['seed']}" for run in (outliers, periodic))
+    return [(needs, outliers and minima_panel(strains(outliers), f"A disc without contacts, {alone} (figure 15)")),
+            (needs, outliers and packing_panel(outliers)),
+            ("figure 17, of rattlers.toml: case periodic with 30 cycles or more",
+             periodic and minima_panel(strains(periodic), f"Cycles that repeat, {repeating} (figure 17)")),
+            (f"figure 18, of long.toml: packing {SETTLING} with 30 cycles or more",
+             settling and settling_panel(settling))]
 
 
 def main():
-    given, out = folders(__doc__)
-    campaigns, results = campaigns_in(given), Results(PAPER, out)
-    if not any([put_all(results, name, campaigns.get(name)) for name in CAMPAIGNS]):
-        no_runs(given[0], f"scenarios/mcnamara2008/{CAMPAIGNS[0]}.toml, or {', '.join(CAMPAIGNS[1:])},")
-    for draw in (draw_cycle, draw_loads, draw_steps, draw_rattlers):
-        draw(campaigns, out)
-    results.write()
+    given, out = scree.scripts.folders(__doc__)
+    campaigns, numbers = scree.campaigns.campaigns_in(given), scree.documents.Numbers(PAPER, out)
+    known = [study for study in PUT if study in campaigns and campaigns[study].finished()]
+    if not known:
+        first, *others = PUT
+        raise scree.scripts.no_runs(given[0], f"scenarios/mcnamara2008/{first}.toml, or {', '.join(others)},")
+    for study in known:
+        PUT[study](numbers, study, campaigns[study])
+        numbers.print()
+    for panels in (cycle, ellipse, steps, rattlers):
+        scree.scripts.draw_known(pathlib.Path(out, f"{panels.__name__}.png"), panels(campaigns), (5, 4.2))
+    print(numbers.write())
 
 
 if __name__ == "__main__":

@@ -7,16 +7,25 @@ and, of more than 12 cycles, the strain per cycle from cycle 10 on, with their d
 increments, and draws FOLDER/quasi-static.png. Needs python3-matplotlib and python3-pandas."""
 import math
 import os
-import tomllib
+import pathlib
+import sys
 
-from series import arguments, line_through, refuse, scree, strain_of
-from style import BLUE, ORANGE, label, pyplot, save, ticker
+PAPER = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(PAPER.parents[1] / "tools" / "python"))
+import scree  # noqa: E402 (of this tree)
 
-CYCLES, DROPPED = 30, 10
+scree.scripts.start("matplotlib", "pandas")
+from scree.charts import BLUE, ORANGE, Curve, Panel, draw  # noqa: E402
+from scree.fits import line_through  # noqa: E402
+from series import strain_of  # noqa: E402 (of this folder)
+
+DROPPED = 10
 CYCLES_KEY = "stage.cycles.cycles"
 PERIODS = (10, 20, 40, 80, 160)  # τ
 INCREMENTS = (10, 20, 40, 80, 160, 640)
-SCENARIO = os.path.join(os.path.dirname(os.path.abspath(__file__)), "biaxial.toml")
+SCENARIO = PAPER / "biaxial.toml"
+PERIOD_KEYS = ("stage.cycles.period", "stage.cycles.set.box.stress_y_high.period", "probe.load.every",
+               "probe.touching.every")
 
 
 class Load:
@@ -29,28 +38,10 @@ class Load:
         self.slope = line_through(strains[DROPPED:])[0] if len(strains) > DROPPED + 2 else math.nan
 
 
-def values_of(overrides):
-    """KEY=VALUE by key, numbers as numbers. Ends the script with one line if cycles are none, or there is no "="."""
-    values = {CYCLES_KEY: CYCLES}
-    for override in overrides:
-        key, sign, value = override.partition("=")
-        if not sign:
-            refuse(f"{override}: not KEY=VALUE")
-        try:
-            values |= tomllib.loads(f'"{key}" = {value}')
-        except tomllib.TOMLDecodeError:
-            values[key] = value
-    if not isinstance(values[CYCLES_KEY], int) or values[CYCLES_KEY] < 1:
-        refuse(f"{CYCLES_KEY}={values[CYCLES_KEY]}: cycles are a number, 1 or more")
-    return values
-
-
 def by_dynamics(folder, values, period):
     """The load with a period (τ) by dynamics."""
-    keys = ("stage.cycles.period", "stage.cycles.set.box.stress_y_high.period", "probe.load.every",
-            "probe.touching.every")
     out = os.path.join(folder, f"period-{period}")
-    run = scree.run(SCENARIO, values | dict.fromkeys(keys, period), out, overwrite=True)
+    run = scree.run(SCENARIO, values | dict.fromkeys(PERIOD_KEYS, period), out, overwrite=True)
     share = run.stages[-1]["steps"] / sum(stage["steps"] for stage in run.stages)
     return Load(f"{period} τ", run.series["load"], run.record["stepping_s"] * share / values[CYCLES_KEY])
 
@@ -63,47 +54,37 @@ def without_dynamics(folder, values, increments):
     return Load(f"{increments}", rows, load.record["wall_s"]["all"] / values[CYCLES_KEY])
 
 
-def draw(axes, methods, exact, value, title, unit):
-    for (name, loads), colour, mark in zip(methods, (ORANGE, BLUE), "so"):
-        shown = [(c, abs(value(c) / value(exact) - 1)) for c in loads]
-        shown = [(c, error) for c, error in shown if error > 0]
-        axes.loglog([1e3 * c.seconds for c, _ in shown], [e for _, e in shown], mark + "-", color=colour, label=name)
-        for k, (c, error) in enumerate(shown):
-            lowest = 0 < k < len(shown) - 1 and error < min(shown[k - 1][1], shown[k + 1][1])
-            axes.annotate(c.name, (1e3 * c.seconds, error), textcoords="offset points",
-                          xytext=(-3, -14) if lowest else (8, 5), fontsize=8)
-    label(axes, title, "wall time of a cycle / ms", unit)
-    axes.margins(0.2, 0.12)
-    axes.xaxis.set_major_locator(ticker.LogLocator(subs=(1, 2, 5)))
-    axes.xaxis.set_major_formatter("{x:g}")
-    axes.xaxis.set_minor_formatter(ticker.NullFormatter())
-    axes.legend(frameon=False, fontsize=9, loc="lower right")
+def panel(title, methods, exact, value):
+    """Relative differences of a value over the wall time, with the name of each load."""
+    curves = []
+    for (method, loads), colour, mark in zip(methods.items(), (ORANGE, BLUE), "so"):
+        errors = {load: abs(value(load) / value(exact) - 1) for load in loads}
+        shown = [load for load in loads if errors[load] > 0]
+        curves.append(Curve([1e3 * load.seconds for load in shown], [errors[load] for load in shown], mark + "-",
+                            color=colour, label=method, names=[load.name for load in shown]))
+    return Panel(title, "wall time of a cycle / ms", "relative difference from 640 increments", *curves,
+                 lambda axes: axes.margins(0.2, 0.12), legend={"fontsize": 9, "loc": "lower right"}, xscale="log",
+                 yscale="log", xticks="1 2 5")
 
 
-def main(program, folder, packing="5", *overrides):
-    if not packing.isdecimal():
-        refuse(f"{packing}: a packing is a number, 1 or more")
-    values = {"scene.seed": int(packing)} | values_of(overrides)
+def main(program, folder, packing="5", *words):
+    values = scree.values.overrides([f"scene.seed={packing}", f"{CYCLES_KEY}=30", *words])
     os.environ["SCREE_PROGRAM"] = program
     dynamic = [by_dynamics(folder, values, period) for period in PERIODS]
-    static = [without_dynamics(folder, values, increments) for increments in INCREMENTS]
-    exact = static[-1]
-    for name, loads in (("period", dynamic), ("increments", static)):
-        for c in loads:
-            per_cycle = "" if math.isnan(c.slope) else f", per cycle {c.slope:.5e} ({c.slope / exact.slope - 1:+.1e})"
-            print(
-                f"{name} {c.name:>6}: {1e3 * c.seconds:8.2f} ms a cycle, strain after the first {c.first:.6e} "
-                f"({c.first / exact.first - 1:+.1e}){per_cycle}"
-            )
-    methods = (("dynamics, period", dynamic), ("quasi-static, increments", static[:-1]))
-    drawn = [(lambda c: c.first, "Strain after a cycle")]
+    *static, exact = [without_dynamics(folder, values, increments) for increments in INCREMENTS]
+    for name, loads in (("period", dynamic), ("increments", [*static, exact])):
+        for load in loads:
+            first = f"strain after the first {load.first:.6e} ({load.first / exact.first - 1:+.1e})"
+            slope = f", per cycle {load.slope:.5e} ({load.slope / exact.slope - 1:+.1e})"
+            print(f"{name} {load.name:>6}: {1e3 * load.seconds:8.2f} ms a cycle, {first}"
+                  f"{'' if math.isnan(load.slope) else slope}")
+    methods = {"dynamics, period": dynamic, "quasi-static, increments": static}
+    panels = [panel(f"Strain after a cycle, packing {packing}", methods, exact, lambda load: load.first)]
     if not math.isnan(exact.slope):
-        drawn.append((lambda c: c.slope, f"Strain per cycle, cycles {DROPPED} to {values[CYCLES_KEY]}"))
-    figure, axes = pyplot.subplots(1, len(drawn), figsize=(5.5 * len(drawn), 4.4), squeeze=False)
-    for part, (value, title) in zip(axes[0], drawn):
-        draw(part, methods, exact, value, f"{title}, packing {packing}", "relative difference from 640 increments")
-    save(figure, folder, "quasi-static.png")
+        title = f"Strain per cycle, cycles {DROPPED} to {values[CYCLES_KEY]}, packing {packing}"
+        panels.append(panel(title, methods, exact, lambda load: load.slope))
+    print(draw(pathlib.Path(folder, "quasi-static.png"), panels, (5.5 * len(panels), 4.4)))
 
 
 if __name__ == "__main__":
-    main(*arguments(__doc__, 2, math.inf))
+    main(*scree.scripts.arguments(__doc__, 2, math.inf))

@@ -1,5 +1,4 @@
-"""Scripts of the scenarios on small campaigns whose numbers are known. Those that read tables are skipped without pandas,
-those that draw without matplotlib too."""
+"""Scripts of the scenarios on small campaigns whose numbers are known; skipped without pandas or matplotlib."""
 import csv
 import importlib.util
 import os
@@ -8,9 +7,10 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from unittest import mock
 
-SCENARIOS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "scenarios")
-READS = unittest.skipUnless(importlib.util.find_spec("pandas"), "needs python3-pandas")
+SOURCES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+SCENARIOS, PACKAGE = os.path.join(SOURCES, "scenarios"), os.path.join(SOURCES, "tools", "python")
 DRAWS = unittest.skipUnless(importlib.util.find_spec("matplotlib") and importlib.util.find_spec("pandas"), "needs python3-matplotlib and python3-pandas")
 
 
@@ -31,7 +31,7 @@ def rows_of(table):
         return {(row["study"], row["quantity"], row["case"]): row for row in csv.DictReader(file)}
 
 
-@READS
+@DRAWS
 class Exponent(unittest.TestCase):
     @staticmethod
     def spectra(folder):
@@ -52,13 +52,12 @@ class Exponent(unittest.TestCase):
     def test_of_frequencies_that_grow_by_a_power(self):
         with tempfile.TemporaryDirectory() as folder:
             self.spectra(folder)
-            done = call("lemrich2017/exponent.py", folder)
+            done = call("lemrich2017/figures.py", folder)
         self.assertEqual(done.returncode, 0, done.stderr)
         # Mean of the powers, and half their difference.
         self.assertEqual(len(re.findall(r"n = 0\.1700 ± 0\.0200 \(seeds: 0\.1500, 0\.1900\)", done.stdout)), 3, done.stdout)
         self.assertIn("1 : 3.000 : 5.000", done.stdout)
 
-    @DRAWS
     def test_that_rows_of_the_record_are_replaced(self):
         with tempfile.TemporaryDirectory() as folder:
             self.spectra(folder)
@@ -71,23 +70,24 @@ class Exponent(unittest.TestCase):
         self.assertEqual(rows["spectra", "frequency of 5λ/4", "10 kPa, seed 1"]["scree"], "35.0000")
         self.assertEqual(rows["spectra", "frequency of 5λ/4", "10 kPa, seed 3"]["source"], "recorded")
 
-    def refused(self, table, line):
+    def called(self, table, status, line):
         with tempfile.TemporaryDirectory() as folder:
+            write(os.path.join(folder, "campaign.json"), '{"file": "spectra.toml"}')
             if table is not None:
                 write(os.path.join(folder, "table.csv"), table)
             for run in "ab":
                 peaks = [f"{100 * w},1,10,5,{w}" for w in (0.25, 0.75, 1.25)]
                 write(os.path.join(folder, run, "peaks.csv"), "\n".join(["frequency [Hz],frequency_error [Hz],quality,amplitude,wavelengths", *peaks]))
-            done = call("lemrich2017/exponent.py", folder)
-        self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
-        self.assertIn(line, done.stderr)
+            done = call("lemrich2017/figures.py", folder)
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (status, status), done.stderr)
+        self.assertIn(line, done.stderr if status else done.stdout)
 
     def test_of_tables_that_have_no_exponent(self):
-        self.refused(None, "run scree campaign scenarios/lemrich2017/spectra.toml first")
-        self.refused("", "run scree campaign scenarios/lemrich2017/spectra.toml first")
-        self.refused("run,seed,status\na,1,finished\n", "there is no column 'boundary.bottom.stress'; give the folder of a campaign that varies it")
-        self.refused("run,boundary.bottom.stress [Pa],seed,status\na,1e4,1,finished\nb,16e4,1,failed\n",
-                     "no exponent from one stress, of seed 1; let the campaign finish two or more")
+        self.called(None, 1, "run scree campaign scenarios/lemrich2017/spectra.toml first")
+        self.called("", 1, "run scree campaign scenarios/lemrich2017/spectra.toml first")
+        self.called("run,seed,status\na,1,finished\n", 1, "there is no column 'boundary.bottom.stress'; give the folder of a campaign that varies it")
+        self.called("run,boundary.bottom.stress [Pa],seed,status\na,1e4,1,finished\nb,16e4,1,failed\n", 0,
+                    "no exponent from one stress, of seed 1; let the campaign finish two or more")
 
 
 class Accumulation(unittest.TestCase):
@@ -117,10 +117,9 @@ period = 1
         self.assertEqual([row[name] for name in ("unit", "scree", "packings", "source")], ["Pa", "0.0375", "2", "runs"])
         # Rows of the record that the campaign lacks stay.
         self.assertEqual(rows["rates", "strain after 20 cycles", "seed 1, period 1 s, step 2e-05 s"]["source"], "recorded")
-        first, second = done.stdout.splitlines()[1:3]
         # Ten cycles of 1e-4 and 2e-4; in the first, ∮σ dε = 100/2 1e-3 − 50/2 5e-4 Pa, and 100 Pa at a strain of 1e-3.
-        self.assertRegex(first, r"8 +0\.1 David et al\. +2 +0\.0015 \(± 0\.0005\) +0\.00015 \(± 5e-05\) +0\.0375 \(± 0\) +100 \(± 0\)")
-        self.assertRegex(second, r"8 +0\.1 painted points +2 +0\.003 \(± 0\.001\)")
+        self.assertRegex(done.stdout, r"8 spheres, μ = 0\.1, David et al\. +2 +0\.0015 ± 0\.0005 +0\.00015 ± 5e-05 +0\.0375 ± [^ ]+ +100 ± 0")
+        self.assertRegex(done.stdout, r"8 spheres, μ = 0\.1, painted points +2 +0\.003 ± 0\.001")
 
     @DRAWS
     def test_that_a_table_keeps_runs_of_earlier_campaigns(self):
@@ -135,7 +134,7 @@ period = 1
             merged = call("david2005/figures.py", second, "--out", out)
             refused = call("david2005/figures.py", other, "--out", out)
         self.assertEqual(merged.returncode, 0, merged.stderr)
-        self.assertRegex(merged.stdout.splitlines()[1], r"8 +0\.1 David et al\. +2 +0\.0015 \(± 0\.0005\) +0\.00015 \(± 5e-05\) +0\.0375 \(± [^ ]+\) +100 \(± 0\)")
+        self.assertRegex(merged.stdout, r"8 spheres, μ = 0\.1, David et al\. +2 +0\.0015 ± 0\.0005 +0\.00015 ± 5e-05 +0\.0375 ± [^ ]+ +100 ± 0")
         self.assertEqual((refused.returncode, refused.stderr.count("\n")), (1, 1), refused.stderr)
         self.assertIn("its runs have another period than the runs of", refused.stderr)
 
@@ -151,8 +150,9 @@ period = 1
             rows = rows_of(os.path.join(folder, "results.csv"))
         self.assertEqual((done.returncode, written), (0, ["claims.png", "results.csv"]), done.stderr)
         self.assertEqual(rows["accumulation", "strain after 5 cycles", "seed 1, period 2 s, step 0.001 s"]["scree"], "0.001")
-        self.assertRegex(done.stdout, r"8 +0\.1 David et al\. +1 +2 +0\.001 +5 +0\.001 ")
-        self.assertRegex(done.stdout, r"8 +0\.1 painted points +1 +1 +0\.001 +10 +0\.002 ")
+        self.assertIn("strain after 5 cycles", done.stdout.splitlines()[0])
+        self.assertRegex(done.stdout, r"seed 1, period 2 s, step 0\.001 s +1 +0\.001 .* 8 spheres, μ = 0\.1, David et al\.")
+        self.assertRegex(done.stdout, r"seed 1, period 1 s, step 0\.001 s +1 .* +0\.002 +8 spheres, μ = 0\.1, painted points")
 
     @DRAWS
     def test_that_a_campaign_of_another_kind_is_refused(self):
@@ -160,7 +160,7 @@ period = 1
             self.campaign(folder, (1,), "until = {}")
             done = call("david2005/figures.py", folder)
         self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
-        self.assertIn("not a run of cyclic loading", done.stderr)
+        self.assertIn("not a campaign of cyclic loading", done.stderr)
 
     @DRAWS
     def test_that_one_cycle_has_loops_and_no_accumulation(self):
@@ -200,16 +200,16 @@ period = 1
 class Collapse(unittest.TestCase):
     @DRAWS
     def test_of_curves_that_fall_with_the_logarithm_of_the_strain(self):
-        spec = importlib.util.spec_from_file_location("figures", os.path.join(SCENARIOS, "lemrich2017", "figures.py"))
-        figures = importlib.util.module_from_spec(spec)
-        spec.loader.exec_module(figures)
+        spec = importlib.util.spec_from_file_location("sweeps", os.path.join(SCENARIOS, "lemrich2017", "sweeps.py"))
+        sweeps = importlib.util.module_from_spec(spec)
+        with mock.patch.object(sys, "path", [PACKAGE, *sys.path]):
+            spec.loader.exec_module(sweeps)
         # 100 − 10 log10(ε) from 1 to 100, the same less 2, and one that begins behind.
         curves = [[(1, 100), (100, 80)], [(1, 98), (100, 78)], [(50, 1), (60, 1)]]
-        self.assertAlmostEqual(figures.at_strain(curves[0], 10), 90)
-        self.assertIsNone(figures.at_strain(curves[0], 101))
-        count, apart = figures.spread(curves, 10)
+        count, apart = sweeps.spread(curves, 10)
         self.assertEqual(count, 2)
         self.assertAlmostEqual(apart, 2 / 89)
+        self.assertEqual(sweeps.spread(curves, 101)[0], 0)
 
 
 class Ratcheting(unittest.TestCase):
@@ -237,7 +237,9 @@ class Ratcheting(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             printed, drawn = self.steps(folder, (1e-3, 1e-4), 40)
         self.assertTrue(drawn)
-        self.assertIn("corrected, packing 1: 1.000e-10 at 0.0001, 1.000e-09 at 0.001; exponent 1.000", printed)
+        for row in (r"step 0\.0001 τ +1 +1e-10\n", r"step 0\.001 τ +1 +1e-09\n"):
+            self.assertRegex(printed, "corrected, packing 1, " + row)
+        self.assertRegex(printed, r"corrected, packing 1 +1 +1\.000\n")
         self.assertIn("steps.png without figure 13, of laws.toml", printed)
         self.assertIn("cycle.png not drawn: figures 1 to 4, of paths.toml", printed)
 
@@ -251,8 +253,7 @@ class Ratcheting(unittest.TestCase):
 
     @DRAWS
     def test_that_wrong_arguments_are_refused_with_one_line(self):
-        for words, line in ((("true", "x", "xx"), "xx: a packing is a number"), (("true", "x", "-5"), "-5: a packing is a number"),
-                            (("true", "x", "5", "stage.cycles.cycles=x"), "cycles are a number"), (("no-such-program", "x"), "no-such-program: there is no such program"),
+        for words, line in ((("true", "x", "5", "cycles"), "cycles: not KEY=VALUE"), (("no-such-program", "x"), "no-such-program: there is no such program"),
                             (("false", "x"), "biaxial.toml: scree run failed and says nothing"), (("true", "no-such-folder"), "true: wrote no results; give the program scree")):
             done = call("mcnamara2008/quasi_static.py", *words)
             with self.subTest(words=words):
@@ -261,9 +262,14 @@ class Ratcheting(unittest.TestCase):
 
 
 class Page(unittest.TestCase):
+    @staticmethod
+    def page(folder):
+        words = [sys.executable, "-B", "-m", "scree.page", folder]
+        return subprocess.run(words, capture_output=True, text=True, check=False, env=os.environ | {"PYTHONPATH": PACKAGE})
+
     def test_that_pages_of_scenes_say_what_the_scenes_require(self):
         for folder in ("verification", "hard-cases"):
-            done = call("page.py", os.path.join(SCENARIOS, folder))
+            done = self.page(os.path.join(SCENARIOS, folder))
             self.assertEqual((done.returncode, done.stderr), (0, ""))
 
     def test_that_a_page_with_another_title_is_refused(self):
@@ -271,11 +277,11 @@ class Page(unittest.TestCase):
             folder = os.path.join(parent, "scenes")
             condition = '[[expect]]\nrequirement = "Body 1: speed"\nquantity = "steps"\nat_most = 1\n'
             write(os.path.join(folder, "one.toml"), '[scene]\ntitle = "One"\n' + condition)
-            head = "<!-- Written by scenarios/page.py; to renew it: python3 scenarios/page.py scenarios/scenes build/release/bin/scree -->\n"
+            head = "<!-- Written by scree.page; to renew it: python3 -m scree.page scenes scree -->\n"
             for row, status in (("| [one](one.toml) | One | speed | 1 | 0.10 | Body 1: speed |", 0),
                                 ("| [one](one.toml) | Two | speed | 1 | 0.10 | Body 1: speed |", 1), ("", 1)):
                 write(os.path.join(folder, "README.md"), head + row + "\n<!-- end -->\n")
-                done = call("page.py", folder)
+                done = self.page(folder)
                 with self.subTest(row=row):
                     self.assertEqual((done.returncode, done.stderr.count("\n")), (status, status), done.stderr)
 
@@ -308,7 +314,7 @@ class Gallery(unittest.TestCase):
 
     @DRAWS
     def test_the_closed_forms_of_the_charts(self):
-        words = ["import sys", f"sys.path[:0] = [{SCENARIOS!r}, {self.FOLDER!r}]", "import curves, grains",
+        words = ["import sys", f"sys.path[:0] = [{PACKAGE!r}, {self.FOLDER!r}]", "import curves, grains",
                  "print(curves.bessel(0, 80), curves.bessel(80, 80), curves.adiabat(0.02, 0.01), curves.hard_sphere_factor(0.1))",
                  "print(grains.janssen(2, 1))"]
         done = subprocess.run([sys.executable, "-B", "-c", "\n".join(words)], capture_output=True, text=True, check=False)
@@ -333,12 +339,13 @@ class WithoutPackages(unittest.TestCase):
                     self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
                     self.assertIn("python3-" + package, done.stderr)
 
-    @READS
+    @DRAWS
     def test_that_scripts_that_draw_name_matplotlib(self):
         self.named("matplotlib", ("david2005/figures.py", "lemrich2017/figures.py", "mcnamara2008/figures.py", "mcnamara2008/closed_path.py", "gallery/draw.py"))
 
+    @DRAWS
     def test_that_scripts_that_read_name_pandas(self):
-        self.named("pandas", ("lemrich2017/exponent.py",))
+        self.named("pandas", ("lemrich2017/figures.py", "mcnamara2008/closed_path.py"))
 
 
 class Help(unittest.TestCase):

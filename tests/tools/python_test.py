@@ -1,10 +1,14 @@
 """The Python package on small scenes of the program that SCREE_PROGRAM names: called by python_test.sh."""
 import csv
+import importlib.util
+import io
+import json
 import os
 import pathlib
 import re
 import shutil
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
@@ -207,13 +211,157 @@ class Running(InFolder):
         self.assertEqual(spectrum.units("peaks")["frequency"], "Hz")
 
 
+class Evaluating(InFolder):
+    """What scripts that evaluate campaigns share."""
+
+    def test_fits_of_known_values(self):
+        fits = scree.fits
+        self.assertEqual(fits.mean_and_error([1, 3]), (2, 1))
+        self.assertEqual(fits.mean_and_error([5])[0], 5)
+        self.assertTrue(numpy.isnan([fits.mean_and_error([5])[1], *fits.mean_and_error([1, numpy.nan])]).all())
+        # About 2 + 3 k, by turns 1 above and below, which is no slope over 1, -1, -1, 1.
+        numpy.testing.assert_allclose(fits.line_through([3, 4, 7, 12]), (3, 1), rtol=1e-14)
+        numpy.testing.assert_allclose(fits.proportional([1, 2, 3], [2, 4, 6]), (2, 1), rtol=1e-14)
+        self.assertTrue(numpy.isnan(fits.proportional([1, 2], [3, 3])[1]))
+        self.assertAlmostEqual(fits.power([1, 10, 100], [5, 50, 500]), 1)
+        # 7 − 2 (x − 1.2)².
+        x = numpy.arange(0, 3, 0.5)
+        numpy.testing.assert_allclose(fits.maximum(x, 7 - 2 * (x - 1.2) ** 2), (1.2, 7), rtol=1e-12)
+        # Two rounds of a square of side 2, against the sense of ∮ y dx > 0, and the diagonal to its first highest point.
+        strain, stress = numpy.array([0, 2, 2, 0, 0, 2, 2, 0, 0]), numpy.array([0, 0, 2, 2, 0, 0, 2, 2, 0])
+        loops = list(zip(fits.cycles_of(strain, 4), fits.cycles_of(stress, 4)))
+        self.assertEqual([fits.loop_area(*loop) for loop in loops], [-4, -4])
+        self.assertEqual([fits.loop_slope(*loop) for loop in loops], [1, 1])
+
+    def test_numbers_with_their_origin(self):
+        os.makedirs("paper", exist_ok=True)
+        os.makedirs("sweep", exist_ok=True)
+        pathlib.Path("sweep/table.csv").write_text("run\n")
+        pathlib.Path("paper/results.csv").write_text(",".join(scree.documents.Numbers.COLUMNS) + "\nsweep,angle,beads,rad,0.5,0.4,,1,by hand,,,,recorded\n")
+        numbers = scree.documents.Numbers("paper", "out")
+        numbers.put("sweep", "beads", [("angle", "deg", 0.45678, 0.0123), ("height", "m", "1.50"), ("gap", "m", numpy.nan)], "sweep", 4, note="two")
+        numbers.put("sweep", "discs, 7", [("angle", "1", 0.3, numpy.nan)])
+        with mock.patch("sys.stdout", io.StringIO()) as printed:
+            numbers.print()
+            numbers.print()
+        self.assertEqual(printed.getvalue().splitlines(), ["case      packings    angle [deg]  height [m]  angle  note",
+                                                           "beads            4  0.457 ± 0.012        1.50          two",
+                                                           "discs, 7         1                               0.3"])
+        self.assertEqual(numbers.write(), "out/results.csv")
+        again = scree.documents.Numbers("paper", "out")
+        self.assertEqual(list(again.rows), [("sweep", "angle", "beads"), ("sweep", "height", "beads"), ("sweep", "angle", "discs, 7")])
+        row = again.rows["sweep", "angle", "beads"]
+        self.assertEqual([row[name] for name in ("unit", "paper", "scree", "error", "packings", "command", "source")],
+                         ["rad", "0.5", "0.457", "0.012", "4", "by hand", "runs"])
+        self.assertRegex(row["date"], r"^20\d\d-")
+        self.assertEqual(again.rows["sweep", "height", "beads"]["command"], "scree campaign scenarios/paper/sweep.toml")
+        self.assertEqual((again.value("sweep", "angle", "beads"), again.value("sweep", "angle", "none")), ((0.457, 0.012), None))
+        self.assertEqual(again.over("sweep", "angle", r"discs, (\d)"), {("7",): 0.3})
+
+    def test_arguments_of_scripts(self):
+        script = f"import sys\nsys.path.insert(0, {str(PACKAGE)!r})\nimport scree\nscree.scripts.start('csv')\nprint(scree.scripts.folders('Usage: x'))\n"
+        pathlib.Path("x.py").write_text(script + "raise scree.Error('one: line')\n")
+        for words, status, out, error in (("a b --out c", 1, "(['a', 'b'], 'c')\n", "x.py: one: line\n"), ("a", 1, "(['a'], 'a')\n", "x.py: one: line\n"),
+                                          ("--help", 0, "Usage: x\n", ""), ("", 2, "", "Usage: x\n"), ("--out c", 2, "", "Usage: x\n"), ("a --out", 2, "", "Usage: x\n")):
+            done = subprocess.run([sys.executable, "-B", "x.py", *words.split()], capture_output=True, text=True, check=False)
+            with self.subTest(words=words):
+                self.assertEqual((done.returncode, done.stdout, done.stderr), (status, out, error))
+        self.assertEqual(scree.values.overrides(["a.b=[1, 2]", "c=glass", 'd="2"']), {"a.b": [1, 2], "c": "glass", "d": "2"})
+        self.refused("a: not KEY=VALUE", scree.values.overrides, ["a"])
+        self.refused("run/run.json: File exists; give a folder", scree.errors.made, "run/run.json")
+
+    def test_campaigns_in_folders(self):
+        for folder, study in (("two/b", "first"), ("two/a", "first"), ("two/c", "third")):
+            os.makedirs(folder)
+            pathlib.Path(folder, "table.csv").write_text("run,status\n")
+            pathlib.Path(folder, "campaign.json").write_text(json.dumps({"file": f"x/{study}.toml"}))
+        found = scree.campaigns.campaigns_in(["none", "two/a", "two"])
+        self.assertEqual({study: str(campaign.path) for study, campaign in found.items()}, {"first": "two/a", "third": "two/c"})
+        os.makedirs("two/c/run")
+        pathlib.Path("two/c/run/scenario.toml").write_text('[particles]\nstate = "elsewhere/prepare/calm/final_state.h5"\n')
+        self.assertEqual(scree.Result("two/c/run").prepared.path, pathlib.Path("two/c/prepare/calm"))
+        self.assertEqual((scree.Campaign("two/none").study, scree.Campaign("two/none").finished("x")), ("none", []))
+
+    def test_sections_of_pages(self):
+        page = pathlib.Path("page.md")
+        page.write_text("# Page\n<!-- Written by x -->\n\nold\n\n<!-- end -->\nafter\n")
+        section = scree.documents.Section("page.md", "<!-- Written by x", "<!-- end -->")
+        self.assertEqual(section.text.strip(), "old")
+        section.write("\n".join(scree.documents.table_row(cells) for cells in (["a", "b|c"], ["1", "2"])))
+        self.assertEqual(page.read_text(), "# Page\n<!-- Written by x -->\n\n| a | b\\|c |\n| 1 | 2 |\n\n<!-- end -->\nafter\n")
+        self.refused("page.md: the lines '<!-- Written by y' and", scree.documents.Section, "page.md", "<!-- Written by y", "<!-- end -->")
+        for condition, share in (({"value": 3, "reference": 1, "tolerance": 4}, 0.5), ({"value": 1, "at_most": 4}, 0.25), ({"value": -1, "at_most": 4}, None)):
+            self.assertEqual(scree.results.share(condition), share)
+
+
+@unittest.skipUnless(importlib.util.find_spec("matplotlib"), "needs python3-matplotlib")
+class Drawing(InFolder):
+    def test_what_panels_have(self):
+        from scree.charts import Curve, Panel, blank, labels
+        figure, [[axes]] = blank(1, 1, (4, 3))
+        Panel("Title", "x / m", "y / N", Curve([1, 10, 100], [3, 1, 2], "o-", label="one", names="abc"),
+              Curve([1], [2], error=[0.5], capsize=2, label="two"), lambda axes: axes.margins(0.2), legend={"title": "of"},
+              xscale="log", xticks=labels(1e-3, 10), yticks=(1, 2))(axes)
+        self.assertEqual((axes.get_title("left"), axes.get_xlabel(), axes.get_ylabel(), axes.get_xscale()), ("Title", "x / m", "y / N", "log"))
+        self.assertEqual(axes.lines[0].get_xydata().tolist(), [[1, 3], [10, 1], [100, 2]])
+        self.assertEqual([text.get_text() for text in axes.texts], ["a", "b", "c"])
+        self.assertEqual([text.xyann[1] for text in axes.texts], [5, -14, 5])
+        self.assertEqual([text.get_text() for text in axes.get_xticklabels()], ["1e-03", "10"])
+        self.assertEqual([text.get_text() for text in axes.get_legend().get_texts()], ["one", "two"])
+        self.assertEqual(axes.containers[0][2][0].get_segments()[0].tolist(), [[1, 1.5], [1, 2.5]])
+
+    def test_pictures_of_panels_that_are_known(self):
+        from scree.charts import Curve, Panel
+        painted = []
+        panel = Panel("One", "x", "y", Curve([0, 1], [0, 1]), painted.append)
+        with mock.patch("sys.stdout", io.StringIO()) as printed:
+            scree.scripts.draw_known("pictures/all.png", [("a", panel), ("b", None), ("b", None), ("c", panel), ("d", panel)], (2, 1))
+            scree.scripts.draw_known("pictures/none.png", [("a", None)], (2, 1))
+        self.assertEqual(printed.getvalue(), "all.png without b\npictures/all.png\nnone.png not drawn: a\n")
+        self.assertEqual(len(painted), 3)
+        # Two columns and two rows at 80 dots an inch.
+        size = struct.unpack(">II", pathlib.Path("pictures/all.png").read_bytes()[16:24])
+        self.assertEqual((size, os.listdir("pictures")), ((320, 160), ["all.png"]))
+
+    def test_a_packing_of_discs(self):
+        from scree.charts import Panel, blank
+        from scree.packings import frame, packing
+        discs = """
+scene = { title = "Discs", dimension = 2 }
+time = { step = { fraction = 0.05 } }
+particles = { lattice = { kind = "square", count = [2, 2], spacing = 0.0102, origin = [0, 0] }, radius = 0.005 }
+material = [{ name = "glass", density = 2500 }]
+contact = [{ plugin = "linear_spring_dashpot", normal_stiffness = 5000, restitution = 0.7, tangential_stiffness = 1400, static_friction = 0.3 }]
+boundary = [{ plugin = "box", lower = [0, 0], upper = [0.0204, 0.04], x = "fixed", y = "fixed" }]
+body_force = [{ plugin = "gravity", acceleration = [0, -9.81] }]
+stage = [{ name = "fall", duration = 0.1 }]
+"""
+        pathlib.Path("discs.toml").write_text(discs)
+        run = scree.run("discs.toml", out="discs")
+        figure, [[axes]] = blank(1, 1, (4, 3))
+        Panel("Discs", "x", "y", frame(0.02, 0.02), packing(run, 2, 3, 0.01))(axes)
+        contacts, places = run.contacts(), run.bodies().set_index("id")[["x", "y"]]
+        self.assertEqual(set(contacts.wall), {"", "box.y_low"})
+        # A frame and four discs; of each contact a line from centre to centre or wall, and one across it.
+        self.assertEqual((len(axes.patches), len(axes.lines)), (5, 2 * len(contacts)))
+        for (_, contact), line in zip(contacts.iterrows(), axes.lines[::2]):
+            begin, end = line.get_xydata()
+            self.assertEqual(begin.tolist(), places.loc[contact.a].tolist())
+            # Round-off of lengths of 1e-2 m.
+            numpy.testing.assert_allclose(end, (begin[0], 0) if contact.wall else places.loc[contact.b], atol=1e-16)
+            self.assertAlmostEqual(line.get_linewidth(), 2 * (contact.force_x * contact.normal_x + contact.force_y * contact.normal_y))
+
+
 class Documents(InFolder):
     def test_the_example_of_the_page(self):
         pathlib.Path("fall.toml").write_text(re.search("```toml\n(.*?)```", (SOURCES / "README.md").read_text(), re.DOTALL)[1])
-        example = re.search("```python\n(.*?)```", (PACKAGE / "README.md").read_text(), re.DOTALL)[1]
+        example, chart = re.findall("```python\n(.*?)```", (PACKAGE / "README.md").read_text(), re.DOTALL)
+        drawn = importlib.util.find_spec("matplotlib") is not None
+        example += chart if drawn else "print('energy.png')\n"
         done = subprocess.run([sys.executable, "-B", "-c", example], capture_output=True, text=True, check=False, env=os.environ | {"PYTHONPATH": str(PACKAGE)})
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertRegex(done.stdout, r"^[0-9.e-]+ J\nfinished .*\n\(200, 3\) .*\n\d+ beads press on the floor with 0.3[0-9]+ N\n.*'static_frction'.* 2\n$")
+        self.assertRegex(done.stdout, r"^[0-9.e-]+ J\nfinished .*\n\(200, 3\) .*\n\d+ beads press on the floor with 0.3[0-9]+ N\n.*'static_frction'.* 2\nenergy.png\n$")
+        self.assertEqual(os.path.exists("energy.png"), drawn)
 
 
 class Installed(InFolder):

@@ -16,6 +16,9 @@ class Campaign:
         """Reads nothing yet."""
         self.path = pathlib.Path(path)
 
+    def __fspath__(self):
+        return str(self.path)
+
     def __repr__(self):
         return f"scree.Campaign({str(self.path)!r})"
 
@@ -23,6 +26,12 @@ class Campaign:
     def record(self):
         """campaign.json as a dict."""
         return json_of(self.path / "campaign.json")
+
+    @property
+    def study(self):
+        """The name of the file of the campaign without its ending, or of the directory if it has no campaign.json."""
+        known = (self.path / "campaign.json").exists()
+        return pathlib.Path(self.record["file"]).stem if known else self.path.resolve().name
 
     @functools.cached_property
     def table(self):
@@ -41,7 +50,9 @@ class Campaign:
         return {row["run"]: Result(self.path / row["run"], row) for row in rows}
 
     def finished(self, *columns):
-        """The runs that have finished; an Error if the table lacks one of the columns."""
+        """The runs that have finished, none without a table; an Error if the table lacks one of the columns."""
+        if not (self.path / "table.csv").exists():
+            return []
         for column in columns:
             if len(self.table) and column not in self.table:
                 table = self.path / "table.csv"
@@ -52,6 +63,17 @@ class Campaign:
     def preparations(self):
         """The runs from which others began, by the names of their directories."""
         return {path.name: Result(path) for path in sorted((self.path / "prepare").glob("*")) if path.is_dir()}
+
+
+def campaigns_in(directories):
+    """The campaigns among directories and those in them, by study: of several of a name the first."""
+    found = {}
+    for directory in map(pathlib.Path, directories):
+        for path in (directory, *sorted(directory.glob("*"))):
+            if (path / "table.csv").exists():
+                campaign = Campaign(path)
+                found.setdefault(campaign.study, campaign)
+    return found
 
 
 def read(directory):

@@ -1,5 +1,6 @@
-"""Errors in one line with their place and cure, and packages that are imported where they are needed."""
+"""Errors in one line with their place and cure, where packages, names and folders are missing."""
 import importlib
+import os
 
 
 class Error(Exception):
@@ -17,10 +18,11 @@ class NoSuchName(Error, KeyError):
 
 
 def package(name):
-    """A package such as pandas; an Error that names the Debian package if it is missing."""
+    """A package such as pandas, or a module of it; an Error that names the Debian package if it is missing."""
     try:
         return importlib.import_module(name)
     except ImportError:
+        name = name.partition(".")[0]
         line = f"there is no {name}; install the package python3-{name}, or call a python3 that has it"
         raise Error(line) from None
 
@@ -32,3 +34,12 @@ def named(mapping, name, place, noun):
         cure = f"give one of {names}" if names else "it has none"
         raise NoSuchName(f"{place}: there is no {noun} '{name}'; {cure}")
     return mapping[name]
+
+
+def made(folder):
+    """The folder, which is made where there is none; an Error if it cannot be."""
+    try:
+        os.makedirs(folder, exist_ok=True)
+    except OSError as error:
+        raise Error(f"{folder}: {error.strerror}; give a folder that can be written") from None
+    return folder

@@ -118,9 +118,25 @@ class Result:
         return State(named(self.states, name, self.path, "state"))
 
     @property
+    def prepared(self):
+        """Of a run of a campaign, the run from whose state it began."""
+        state = pathlib.Path(self.scenario["particles"]["state"])
+        return Result(self.path.parent / "prepare" / state.parent.name)
+
+    @property
     def walls(self):
         """The walls of the last state as a data frame."""
         return self.state().walls
+
+
+def share(condition):
+    """Of an [[expect]], deviation over tolerance; of a bound, value over it where both are above 0; else None."""
+    value = condition["value"]
+    if condition.get("tolerance"):
+        return abs(value - condition["reference"]) / condition["tolerance"]
+    if condition.get("at_most", 0) > 0 and value >= 0:
+        return value / condition["at_most"]
+    return None
 
 
 def json_of(path):

@@ -3,6 +3,7 @@ import json
 import numbers
 import os
 import re
+import tomllib
 
 from .errors import Error
 
@@ -34,6 +35,20 @@ def toml(value, key="set"):
 def assignments(values):
     """The words --set KEY=VALUE for a dict."""
     return [word for key, value in (values or {}).items() for word in ("--set", f"{key}={toml(value, key)}")]
+
+
+def overrides(words):
+    """The values of words KEY=VALUE by their keys; what is no TOML is a string, as for --set."""
+    values = {}
+    for word in words:
+        key, sign, value = word.partition("=")
+        if not sign:
+            raise Error(f"{word}: not KEY=VALUE; give a key of the scenario and its value")
+        try:
+            values |= tomllib.loads(f'"{key}" = {value}')
+        except tomllib.TOMLDecodeError:
+            values[key] = value
+    return values
 
 
 def value_at(scenario, key):
