@@ -131,4 +131,12 @@ TEST_CASE("a sphere is divided among bins of a box and shells, across periodic f
         Approx(whole));
   CHECK(sum(round_frame(AveragingFrame::sphere, 6, AveragingFrame::radial), {3, 2, 3}, 0.3) ==
         Approx(common_volume(3, 2, 0.3, 2)));
+  // Half of it in the lower end of the cylinder along y, and cut by its side, also in slices and shells.
+  for (const int along : {1, int(AveragingFrame::radial)}) {
+    CHECK(sum(round_frame(AveragingFrame::cylinder, 6, along), {1.2, 0.5, 3.5}, 0.3) == Approx(whole / 2));
+    CHECK(sum(round_frame(AveragingFrame::cylinder, 6, along), {3, 2, 3}, 0.3) ==
+          Approx(sphere_in_round(0.3, {3, true, 2, 2, 0}, -1, 1)));
+  }
+  CHECK(sum(round_frame(AveragingFrame::sphere, 6, 0), {3, 2, 3}, 0.3) ==
+        Approx(common_volume(3, 2, 0.3, 2)));
 }

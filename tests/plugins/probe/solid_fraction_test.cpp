@@ -1,4 +1,3 @@
-#include "error_line.hpp"
 #include "pressed_spheres.hpp"
 #include "probe_support.hpp"
 
@@ -47,7 +46,7 @@ TEST_CASE("solid_fraction: a box within a packing, by points at random", "[probe
   CHECK(std::abs(exact - double(inside) / points) < 4 * std::sqrt(exact * (1 - exact) / points));
 }
 
-TEST_CASE("solid_fraction: shells around a sphere, discs, and regions without a closed form", "[probe]") {
+TEST_CASE("solid_fraction: shells around a sphere, and discs", "[probe]") {
   const Simulation s(
       scene(3, 1e-4, {body(1, 1, 1, {{0, 0, 0}})}, {{"normal_stiffness", {1e4}}, {"normal_damping", {0}}}));
   const Sampled shells =
@@ -61,9 +60,45 @@ TEST_CASE("solid_fraction: shells around a sphere, discs, and regions without a 
   CHECK(sample(flat, "solid_fraction",
                {{"region", {1}}, {"lower", {0, 0, 0}}, {"upper", {2, 2, 0}}})["solid_fraction"] ==
         Approx(std::numbers::pi / 16));
-  CHECK_THAT(error_line([&] {
-               sample(s, "solid_fraction",
-                      {{"region", {3}}, {"centre", {0, 0, 0}}, {"radius", {2}}, {"length", {1}}});
-             }),
-             Catch::Contains("has no closed form"));
+}
+
+TEST_CASE("solid_fraction: cylinders, their slices and shells, and slices of spheres", "[probe]") {
+  Simulation s(pressed_spheres());
+  run(s, 1000);
+  const auto in_bins = [&](double region, double bins, double along, double from) {
+    const Sampled bin = sample(s, "solid_fraction",
+                               {{"region", {region}},
+                                {"centre", {0.02, 0.019, 0.021}},
+                                {"radius", {0.012}},
+                                {"length", {0.02}},
+                                {"bins", {bins}},
+                                {"along", {along}}});
+    double sum = 0;
+    for (int k = int(from); k <= int(bins); ++k) {
+      const std::string number = bins == 1 ? "" : "_" + std::to_string(k);
+      sum += bin["solid_fraction" + number] * bin["volume" + number];
+    }
+    return sum;
+  };
+  const double cylinder = in_bins(3, 1, 0, 1);
+  CHECK(in_bins(3, 5, 2, 1) == Approx(cylinder).epsilon(1e-12));
+  CHECK(in_bins(3, 4, 3, 1) == Approx(cylinder).epsilon(1e-12));
+  CHECK(in_bins(2, 5, 0, 1) == Approx(in_bins(2, 1, 0, 1)).epsilon(1e-12));
+  // The shell of the outer half of the radius, by points of the cylinder at random.
+  std::mt19937_64 generator(14);
+  std::uniform_real_distribution<double> across(-0.012, 0.012), z(0.011, 0.031);
+  const double shell = std::numbers::pi * 0.75 * 0.012 * 0.012 * 0.02;
+  constexpr int points = 40000;
+  int tried = 0, inside = 0;
+  while (tried < points) {
+    const double x = across(generator), y = across(generator), away = std::hypot(x, y);
+    if (away >= 0.012 || away < 0.006) continue;
+    ++tried;
+    const Vec3 point = {0.02 + x, 0.019 + y, z(generator)};
+    for (std::size_t i = 0; i < s.particles().size(); ++i)
+      inside += norm(position(s, i) - point) < s.particles().radius()[i];
+  }
+  const double exact = in_bins(3, 2, 3, 2) / shell;
+  // Four standard deviations of a share of the points.
+  CHECK(std::abs(exact - double(inside) / points) < 4 * std::sqrt(exact * (1 - exact) / points));
 }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include <scree/plugin/sphere_sections.hpp>
 #include <scree/plugin/sphere_volumes.hpp>
 #include <scree/plugin/vec.hpp>
 
@@ -82,20 +83,18 @@ struct AveragingFrame {
     each_image(start, step, [&](const Vec3& from) { split_image(from, step, add); });
   }
 
-  // Calls add(bin, volume) for each bin that has a part of a sphere or disc. Of cylinders, and of spheres
-  // with bins along an axis, there is no closed form: see has_volumes().
+  // Calls add(bin, volume) for each bin that has a part of a sphere or disc.
   template <class Add>
   void split_sphere(const Vec3& position, double size, const Add& add) const {
     const Vec3 reach = Vec3{{size, size, size}};
     each_image(position - reach, 2.0 * reach, [&](const Vec3& corner) {
       const Vec3 x = corner + reach;
-      if (region == sphere) return split_by_shells(x, size, add);
+      if (round() && along == radial) return split_by_shells(x, size, add);
+      if (round() && bins == 1) return add_if_any(0, part_within(x, size, radius), add);
+      if (round()) return split_by_slices(x, size, add);
       for (int bin = first_bin(x, size); bin <= last_bin(x, size); ++bin)
-        if (const double part = part_in_box(x, size, bin); part > 0) add(bin, part);
+        add_if_any(bin, part_in_box(x, size, bin), add);
     });
-  }
-  bool has_volumes() const {
-    return region != cylinder && (region != sphere || along == radial || bins == 1);
   }
 
  private:
@@ -219,14 +218,34 @@ struct AveragingFrame {
     return dimension == 2 ? disc_in_rectangle(x, size, low, high) : sphere_in_box(x, size, low, high);
   }
   template <class Add>
+  static void add_if_any(int bin, double part, const Add& add) {
+    if (part > 0) add(bin, part);
+  }
+  // Part of a sphere within a distance of the centre or axis of the region.
+  double part_within(const Vec3& x, double size, double limit) const {
+    if (region == sphere) return common_volume(dimension, size, limit, distance(x));
+    return sphere_in_round(size, {3, true, limit, distance(x), 0}, lower[axis] - x[axis],
+                           upper[axis] - x[axis]);
+  }
+  template <class Add>
   void split_by_shells(const Vec3& x, double size, const Add& add) const {
-    const double away = distance(x);
     double before = 0;
     for (int bin = 0; bin < bins; ++bin) {
-      const double now = common_volume(dimension, size, (bin + 1) * radius / bins, away);
-      if (now > before) add(bin, now - before);
+      const double now = part_within(x, size, (bin + 1) * radius / bins);
+      add_if_any(bin, now - before, add);
       before = now;
     }
+  }
+  template <class Add>
+  void split_by_slices(const Vec3& x, double size, const Add& add) const {
+    const Vec3 off = x - centre;
+    double square = 0;
+    for (int k = 0; k < dimension; ++k)
+      if (k != along) square += off[k] * off[k];
+    const RoundRegion beside = {dimension, region == cylinder, radius, std::sqrt(square), -off[along]};
+    for (int bin = first_bin(x, size); bin <= last_bin(x, size); ++bin)
+      add_if_any(bin, sphere_in_round(size, beside, low_edge(bin) - x[along], high_edge(bin) - x[along]),
+                 add);
   }
 };
 

@@ -94,6 +94,30 @@ inline double disc_in_quadrant(double radius, double a, double b) {
   return a < 0 ? beyond_b : beyond_a;
 }
 
+// α − sin α cos α, by its series where the difference would lose digits.
+inline double angle_less_sine(double angle) {
+  if (angle > 0.4) return angle - std::sin(angle) * std::cos(angle);
+  // ½(y − sin y), y = 2α
+  const double y = 2 * angle, y2 = y * y;
+  double term = y * y2 / 6, sum = 0;
+  for (int n = 4; n < 20; n += 2) {
+    sum += term;
+    term *= -y2 / (n * (n + 1));
+  }
+  return 0.5 * sum;
+}
+
+// Area that two discs have in common whose circles cross: a segment of each, on its side of their chord.
+inline double crossing_discs(double radius_a, double radius_b, double distance) {
+  const double a = std::min(radius_a, radius_b), b = std::max(radius_a, radius_b);
+  const double gap = distance - b;
+  const double from_a = (gap * (distance + b) + a * a) / (2 * distance), from_b = distance - from_a;
+  const double square = (a + b + distance) * (a + gap) * (a - gap) * (distance + b - a);
+  const double half_chord = std::sqrt(std::max(0.0, square)) / (2 * distance);
+  return a * a * angle_less_sine(std::atan2(half_chord, from_a)) +
+         b * b * angle_less_sine(std::atan2(half_chord, from_b));
+}
+
 }  // namespace detail
 
 // Volume (m³) of a sphere of a radius (m) around `centre` in the box from `lower` to `upper`.
@@ -136,12 +160,12 @@ inline double common_volume(int dimension, double radius_a, double radius_b, dou
   if (distance <= std::abs(radius_a - radius_b))
     return dimension == 2 ? std::numbers::pi * smaller * smaller
                           : 4.0 / 3 * std::numbers::pi * smaller * smaller * smaller;
+  if (dimension == 2) return detail::crossing_discs(radius_a, radius_b, distance);
   // The plane of the circle in which the surfaces meet cuts a cap off each.
   const double from_a =
       (distance * distance + (radius_a - radius_b) * (radius_a + radius_b)) / (2 * distance);
   const double from_b = distance - from_a;
-  return dimension == 2 ? detail::disc_beyond(radius_a, from_a) + detail::disc_beyond(radius_b, from_b)
-                        : detail::sphere_beyond(radius_a, from_a) + detail::sphere_beyond(radius_b, from_b);
+  return detail::sphere_beyond(radius_a, from_a) + detail::sphere_beyond(radius_b, from_b);
 }
 
 // Volume (m³) of a sphere, or area (m²) of a disc.

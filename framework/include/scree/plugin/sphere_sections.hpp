@@ -1,0 +1,122 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <scree/plugin/quadrature.hpp>
+#include <scree/plugin/sphere_volumes.hpp>
+
+// Volumes of spheres in cylinders and in slices of spheres, as integrals of sections.
+
+namespace scree {
+
+// A sphere at the origin, and a round region beside it: a cylinder along x, or a sphere. In two dimensions both
+// are discs, and sections are lines.
+struct RoundRegion {
+  int dimension = 3;
+  bool cylinder = true;
+  double radius = 0;  // (m)
+  double away = 0;    // (m) ≥ 0 distance of its centre or axis from the x axis
+  double along = 0;   // (m) x of the centre of a sphere
+};
+
+namespace detail {
+
+// The sections across x of a sphere around the origin and of a region.
+class RoundSections {
+ public:
+  RoundSections(double size, const RoundRegion& region) : size_(size), region_(region) {}
+
+  double volume(double from, double to) const {
+    from = std::max(from, -size_);
+    to = std::min(to, size_);
+    if (!region_.cylinder) {
+      from = std::max(from, region_.along - region_.radius);
+      to = std::min(to, region_.along + region_.radius);
+    }
+    if (!(from < to)) return 0;
+    std::array<double, 6> cut = {from, to, to, to, to, to};
+    touching_sections(cut);
+    for (double& x : cut) x = std::clamp(x, from, to);
+    std::sort(cut.begin(), cut.end());
+    double sum = 0;
+    for (std::size_t k = 0; k + 1 < cut.size(); ++k)
+      if (cut[k] < cut[k + 1]) sum += between(cut[k], cut[k + 1]);
+    return sum;
+  }
+
+ private:
+  // Radius of the section of a sphere at a distance x from its centre.
+  static double section(double radius, double x) {
+    return std::sqrt(std::max(0.0, (radius - x) * (radius + x)));
+  }
+  double region_section(double x) const {
+    return region_.cylinder ? region_.radius : section(region_.radius, x - region_.along);
+  }
+
+  // Where the circles of both sections touch each other, from within or from outside: cut[2] to cut[5].
+  void touching_sections(std::array<double, 6>& cut) const {
+    if (region_.cylinder) {
+      const double inner = section(size_, std::abs(region_.away - region_.radius));
+      const double outer = section(size_, region_.away + region_.radius);
+      cut[2] = -inner;
+      cut[3] = -outer;
+      cut[4] = outer;
+      cut[5] = inner;
+      return;
+    }
+    // The ends, along x, of the circle in which the surfaces of both spheres meet.
+    const double distance = std::hypot(region_.along, region_.away);
+    if (!(distance > 0)) return;
+    const double height =
+        ((distance - region_.radius) * (distance + region_.radius) + size_ * size_) / (2 * distance);
+    const double middle = height * region_.along / distance;
+    const double half = section(size_, height) * region_.away / distance;
+    cut[2] = middle - half;
+    cut[3] = middle + half;
+  }
+
+  // Between two such places the circles cross, or one holds the other, or they are apart, everywhere.
+  double between(double from, double to) const {
+    const double middle = 0.5 * (from + to);
+    const double own = section(size_, middle), other = region_section(middle);
+    if (own + other <= region_.away) return 0;
+    if (own - other <= -region_.away) return slice(size_, from, to);
+    if (own - other >= region_.away) {
+      if (region_.cylinder) return std::numbers::pi * other * other * (to - from);
+      return slice(region_.radius, from - region_.along, to - region_.along);
+    }
+    const auto common = [&](double x) {
+      return common_section(region_.dimension, section(size_, x), region_section(x), region_.away);
+    };
+    // A section of a large region is known to round-off of its radius.
+    const double smaller = std::min(size_, region_.radius);
+    const double tolerance =
+        3e-16 * volume_of_sphere(region_.dimension, smaller) * std::max(1.0, 0.01 * region_.radius / smaller);
+    return integral_with_root_ends(common, from, to, tolerance);
+  }
+  double slice(double radius, double from, double to) const {
+    if (region_.dimension == 2) return disc_beyond(radius, from) - disc_beyond(radius, to);
+    return sphere_beyond(radius, from) - sphere_beyond(radius, to);
+  }
+  // What two sections have in common: an area, or in two dimensions a length.
+  static double common_section(int dimension, double a, double b, double distance) {
+    if (dimension == 3) return common_volume(2, a, b, distance);
+    return std::max(0.0, std::min(a, distance + b) - std::max(-a, distance - b));
+  }
+
+  double size_;
+  RoundRegion region_;
+};
+
+}  // namespace detail
+
+// Volume (m³), in two dimensions area (m²), of a sphere of radius `size` (m) around the origin in a region, in
+// from < x < to, which may be infinite. Errors: some 1e-13 of the smaller of both volumes.
+inline double sphere_in_round(double size, const RoundRegion& region, double from, double to) {
+  return detail::RoundSections(size, region).volume(from, to);
+}
+
+}  // namespace scree
