@@ -31,8 +31,8 @@ double double_exponential(const Function& f, double from, double to) {
   return sum * step * 0.25 * std::numbers::pi * (to - from);
 }
 
-// The reference: lines along x, whose length in the unit sphere is known, over circles around the x axis, of which an
-// arc lies in the cylinder.
+// The reference: lines along x, whose length in the unit sphere is known, over circles around the x axis, of
+// which an arc lies in the cylinder.
 double volume_by_lines(double radius, double away, double low, double high) {
   const auto ring = [&](double s) {
     const double chord = std::sqrt((1 - s) * (1 + s));
@@ -50,7 +50,8 @@ double volume_by_lines(double radius, double away, double low, double high) {
   return sum;
 }
 
-// Share of points of the unit ball that lie in a region, whose axis is shifted along y, and in low < x < high.
+// Share of points of the unit ball that lie in a region, whose axis is shifted along y, and between low and
+// high along x.
 struct CountedShare {
   double share, deviation;
 };

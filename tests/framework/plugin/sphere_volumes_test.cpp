@@ -119,7 +119,8 @@ TEST_CASE("spheres and discs have the volume of their lens in common", "[volumes
   }
   CHECK(common_volume(3, 1, 0.7, 0.9) == Approx(volume).margin(1e-7));
   CHECK(common_volume(2, 1, 0.7, 0.9) == Approx(area).margin(1e-5));
-  // A small disc cut in half by a large circle, whose curvature leaves ∫ y²/2 dy = r³/3 out; the next order is r⁵.
+  // A small disc that a large circle cuts in half: its curvature leaves ∫ y²/2 dy = r³/3 out; the next order
+  // is r⁵.
   const double small = 1e-6;
   CHECK(common_volume(2, 1, small, 1) ==
         Approx((std::numbers::pi / 2 - small / 3) * small * small).epsilon(3e-12));

@@ -37,9 +37,9 @@ double halved(const Function& f, double from, double to, double whole, double to
 
 }  // namespace detail
 
-// ∫ f(x) dx of a function that is smooth between `from` and `to`, and at these ends may be one of the root of the
-// distance: x = middle − half cos θ makes it smooth in θ there. tolerance: absolute, of an interval and its two
-// halves, whose sum is some 2^20 times nearer where f is smooth.
+// ∫ f(x) dx of a function that is smooth between `from` and `to`, and at these ends may be a smooth one of the
+// root of the distance: x = middle − half cos θ makes it smooth in θ there. tolerance: absolute, by which an
+// interval and the sum of its two halves may differ; where f is smooth that sum is some 2^20 times nearer.
 template <class Function>
 double integral_with_root_ends(const Function& f, double from, double to, double tolerance) {
   if (!(from < to)) return 0;

@@ -12,8 +12,8 @@
 
 namespace scree {
 
-// A sphere at the origin, and a round region beside it: a cylinder along x, or a sphere. In two dimensions both
-// are discs, and sections are lines.
+// A round region beside a sphere at the origin: a cylinder along x, or another sphere. In two dimensions both
+// spheres are discs, and sections are lines.
 struct RoundRegion {
   int dimension = 3;
   bool cylinder = true;
@@ -113,8 +113,8 @@ class RoundSections {
 
 }  // namespace detail
 
-// Volume (m³), in two dimensions area (m²), of a sphere of radius `size` (m) around the origin in a region, in
-// from < x < to, which may be infinite. Errors: some 1e-13 of the smaller of both volumes.
+// Volume (m³), in two dimensions area (m²), that a sphere of radius `size` (m) around the origin has in a
+// region between from and to along x, which may be infinite. Errors: some 1e-13 of the smaller volume.
 inline double sphere_in_round(double size, const RoundRegion& region, double from, double to) {
   return detail::RoundSections(size, region).volume(from, to);
 }

@@ -158,6 +158,27 @@ TEST_CASE("the mean of states has the kinetic stress about the mean of all", "[f
   }
 }
 
+TEST_CASE("shear within the width of the kernel adds to the kinetic stress", "[fields]") {
+  // Grains on a lattice with v_x = γ̇ y, at w/12: ⟨y²⟩ of the kernel is w²/11 in 3D, w²/10 in 2D.
+  const double rate = 3, width = 0.6;
+  for (const int dimension : {2, 3}) {
+    FieldInput input = {.dimension = dimension};
+    const int reach = dimension == 3 ? 12 : 0;
+    for (int x = -12; x <= 12; ++x)
+      for (int y = -12; y <= 12; ++y)
+        for (int z = -reach; z <= reach; ++z) {
+          const Vec3 at = {x * width / 12, y * width / 12, z * width / 12};
+          input.bodies.push_back(
+              {.mass = 2, .radius = 0.01, .position = at, .velocity = {rate * at[1], 0, 0}});
+        }
+    const FieldGrid grid = {.dimension = dimension};
+    const FieldPoint point = fields_of(input, grid, AveragingKernel(dimension, width)).front();
+    // The sum over the lattice: the kernel falls as the cube at its edge, an error of some (1/12)^4.
+    CHECK(point.kinetic_stress[0] / point.density ==
+          Approx(rate * rate * width * width / (dimension == 3 ? 11 : 10)).epsilon(1e-4));
+  }
+}
+
 TEST_CASE("fields have the same bits for any number of threads", "[fields]") {
   for (const std::size_t scene : {std::size_t(0), std::size_t(3)}) {
     const PackingScene& packing = packing_scenes[scene];

@@ -106,6 +106,33 @@ TEST_CASE("a derived quantity has no value in stages without what it reads", "[r
   }
 }
 
+TEST_CASE("stages in which no derived quantity has a value have no rows", "[run]") {
+  const Bench bench(two_stages +
+                    "[[probe]]\nplugin = 'energy'\nname = 'late'\nstages = ['second']\nevery = 1e-5\n"
+                    "[derived]\nb = '2 * late.kinetic_translation'\n");
+  bench.run();
+  const auto rows = rows_of(bench, "derived");
+  // From the end of the first stage on.
+  REQUIRE(rows.size() == 6);
+  CHECK(rows[0][0] == Approx(5e-5));
+  for (const std::vector<double>& row : rows) CHECK(row[1] > 0);
+}
+
+TEST_CASE("a quantity of probes with different clocks has those of the slower one, at its times", "[run]") {
+  // Every third step against every second: neither clock holds the other's times.
+  const Bench bench(from_rest +
+                    "[[probe]]\nplugin = 'particles'\nname = 'slow'\nids = [2]\nevery = 3e-5\n"
+                    "[derived]\nm = '2 * energy.kinetic_translation / slow.vy_2 ^ 2'\n");
+  bench.run();
+  const auto rows = rows_of(bench, "derived"), slow = rows_of(bench, "slow");
+  REQUIRE(rows.size() == slow.size());
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    CHECK(rows[k][0] == slow[k][0]);
+    // Round-off of ten additions.
+    if (k > 0) CHECK(rows[k][1] == Approx(9 * 1000 * M_PI * 0.01 * 0.01).epsilon(1e-13));
+  }
+}
+
 TEST_CASE("derived quantities change no bit of a run, and have the same with more threads", "[run]") {
   const Bench plain(from_rest);
   Bench derived(from_rest + "[derived]\na = 'sin(energy.kinetic_translation) ^ 1.5'\n");
