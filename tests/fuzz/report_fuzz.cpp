@@ -17,9 +17,10 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text = scree::fuzz::text_of(data, size);
   const std::size_t end = std::min(text.find('\0'), text.size());
   const char* const record = records[size % std::size(records)];
-  std::ofstream(folder / record, std::ios::binary) << text.substr(0, end);
+  for (const char* name : {record, "cycles.json"})
+    std::ofstream(folder / name, std::ios::binary) << text.substr(0, end);
   for (const char* table : {"series/energy.csv", "table.csv", "spectrum.csv", "peaks.csv", "accuracy.csv",
-                            "modes.csv", "final_packing.csv"})
+                            "modes.csv", "final_packing.csv", "verdicts.csv", "cycles.csv"})
     std::ofstream(folder / table, std::ios::binary) << text.substr(std::min(end + 1, text.size()));
   const int result = scree::fuzz::accept_or_refuse([&] { scree::report::page_of(folder); });
   std::filesystem::remove(folder / record);

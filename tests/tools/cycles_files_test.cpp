@@ -51,3 +51,11 @@ TEST_CASE("cycles does not lose verdicts of other runs", "[tools]") {
                 "other/verdicts.csv: is there already, and no table of verdicts; ", "or --overwrite");
   check_refused(w, w.scree("cycles b c b/"), "b/ is given twice", "give each run once");
 }
+
+TEST_CASE("a report written after cycles has their class", "[tools]") {
+  const Workspace w;
+  write_run(w, "a");
+  REQUIRE(w.scree("cycles a").status == 0);
+  REQUIRE(w.scree("report a").status == 0);
+  CHECK_THAT(w.text("a/report.html"), Catch::Contains("scree cycles: ratcheting."));
+}

@@ -143,7 +143,8 @@ std::string campaign_sections(const Results& results) {
   add_campaign_charts(table, figures);
   const bool has_seeds = list_in(results.record, "seeds").size() > 1;
   return status_line(results.record) + expectation_line(table.table()) + section("Charts", figures.html()) +
-         means(table, has_seeds) + runs(results, table.table()) + repetition_of(results);
+         means(table, has_seeds) + verdicts_of_cycles(results) + runs(results, table.table()) +
+         repetition_of(results);
 }
 
 }  // namespace scree::report

@@ -13,6 +13,9 @@ std::string mark(const char* kind, const std::string& text);
 std::string verdict(const Results& results);
 std::string expectations(const Results& results);
 std::string warnings(const Results& results);
+// The result of scree cycles, if it has left one beside the record; of several runs, a row for each.
+std::string cycles_section(const Results& results);
+std::string verdicts_of_cycles(const Results& results);
 // The command, the program and the inputs by which the results are repeated to the bit, and the scenario.
 std::string repetition(const Results& results);
 // The scenario as resolved, folded.

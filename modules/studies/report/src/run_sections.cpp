@@ -92,8 +92,8 @@ std::string run_charts(const Results& results) {
 
 std::string run_sections(const Results& results) {
   return verdict(results) + scene_pictures(results) + scene_facts(results) + stages(results.record) +
-         expectations(results) + warnings(results) + run_charts(results) + balances(results.record) +
-         speed(results.record) + repetition(results);
+         expectations(results) + warnings(results) + run_charts(results) + cycles_section(results) +
+         balances(results.record) + speed(results.record) + repetition(results);
 }
 
 }  // namespace scree::report

@@ -120,8 +120,8 @@ std::string study_sections(const Results& results) {
     add_pictures(results.directory / folder, most_pictures, figures);
   Columns columns(tables_in(results.directory));
   add_scene_charts(results, columns, figures);
-  return verdict(results) + section("Charts", figures.html()) + scene_facts(results) +
-         numbers_of("Results", results.record) +
+  return verdict(results) + section("Charts", figures.html()) + cycles_section(results) +
+         scene_facts(results) + numbers_of("Results", results.record) +
          numbers_of("Elastic constants", object_in(results.record, "elastic")) + wall_times(results.record) +
          expectations(results) + warnings(results) + tables(results) + repetition(results);
 }
