@@ -100,6 +100,6 @@ build_scree() {
   configure_scree "$preset"
   [[ -x $build/bin/scree ]] || say "building ($preset), some minutes the first time"
   # Silent but for what is really built.
-  ninja -C "$build" "${targets[@]}" | { grep -vE 'no work to do|Re-checking globbed|Entering directory' >&2 || true; } ||
+  ninja -C "$build" "${targets[@]}" | { grep -vE 'no work to do|Re-checking globbed|Entering directory|Asking for the commit' >&2 || true; } ||
     { say "the build failed"; exit 1; }
 }

@@ -17,6 +17,7 @@ TEST_CASE("the help of each verb shows an example and every option", "[tools]") 
   for (const char* option : {"--out", "--set", "--threads", "--overwrite", "--quiet", "--plugins"})
     CHECK(contains(w.scree("run --help").out, option));
   CHECK(w.scree("--version").out.starts_with("scree 0."));
+  CHECK(contains(w.scree("--version").out, " (commit "));
 }
 
 TEST_CASE("check summarises a scene and writes nothing", "[tools]") {

@@ -40,6 +40,8 @@ TEST_CASE("run.json has the inputs and results of a run", "[tools]") {
   CHECK(record["steps"].is_number_integer());
   CHECK(record["steps"] == 10);
   CHECK(record["version"].get<std::string>().size() >= 5);
+  CHECK(w.scree("--version").out == "scree " + record["version"].get<std::string>() + " (commit " +
+                                        record["commit"].get<std::string>() + ")\n");
   CHECK(record["scenario"].get<std::string>().find("seed = 3") != std::string::npos);
   CHECK(record["scenario"] == w.text("out/scenario.toml"));
   CHECK(record["wall_s"] > 0);

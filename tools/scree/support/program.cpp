@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <scree/files/program_commit.hpp>
+
 namespace scree::tool {
 
 namespace {
@@ -47,8 +49,8 @@ ExitStatus guarded(const std::function<ExitStatus()>& work) {
 
 ExitStatus run_program(int argc, char** argv, const std::function<void(CommandLine&)>& add_verbs) {
   return guarded([&] {
-    CommandLine line("scree: a discrete-element laboratory for granular matter", "scree " SCREE_VERSION,
-                     footer);
+    CommandLine line("scree: a discrete-element laboratory for granular matter",
+                     fmt::format("scree {} (commit {})", SCREE_VERSION, files::program_commit()), footer);
     add_verbs(line);
     return line.run(argc, argv);
   });

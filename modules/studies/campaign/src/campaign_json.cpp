@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include <scree/campaign/report.hpp>
+#include <scree/files/program_commit.hpp>
 
 namespace scree::campaign {
 
@@ -45,6 +46,7 @@ Json runs_json(const Campaign& campaign, const std::vector<Outcome>& outcomes) {
 
 std::string campaign_json(const Campaign& campaign, const Execution& execution) {
   Json json = {{"version", SCREE_VERSION},
+               {"commit", files::program_commit()},
                {"title", campaign.title},
                {"file", std::filesystem::absolute(campaign.source).lexically_normal().string()},
                {"scenario", campaign.scenario.string()},

@@ -123,7 +123,7 @@ std::string repetition_of(const Results& results) {
   const Json& record = results.record;
   Facts facts;
   facts.add("command", code(fmt::format("scree campaign {}", text_in(record, "file"))));
-  facts.add("program", escaped("scree " + text_in(record, "version")));
+  facts.add("program", program_of(results));
   facts.add("scenario", code(text_in(record, "scenario")));
   std::string seeds;
   for (const Json& seed : list_in(record, "seeds"))

@@ -111,13 +111,19 @@ std::string call_of(const Results& results) {
 
 }  // namespace
 
+std::string program_of(const Results& results) {
+  const std::string commit = text_in(results.record, "commit");
+  return escaped("scree " + text_in(results.record, "version")) +
+         (commit.empty() ? "" : ", commit " + code(commit));
+}
+
 std::string repetition(const Results& results) {
   // The record of a run has all that it depends on; those of studies do not have every option.
   const bool is_run = results.verb == std::string_view("run");
   const char* const of_first_call = is_run ? "" : ", with the other options of the first call";
   Facts facts;
   facts.add("command", code(call_of(results)) + " in this directory" + of_first_call);
-  facts.add("program", escaped("scree " + text_in(results.record, "version")));
+  facts.add("program", program_of(results));
   if (const double seed = number_in(results.record, "seed"); !std::isnan(seed))
     facts.add("seed", fmt::format("{:.0f}", seed));
   if (const std::string hash = text_in(results.record, "state_hash"); !hash.empty())

@@ -18,6 +18,8 @@ std::string cycles_section(const Results& results);
 std::string verdicts_of_cycles(const Results& results);
 // The command, the program and the inputs by which the results are repeated to the bit, and the scenario.
 std::string repetition(const Results& results);
+// The version and the commit of the program.
+std::string program_of(const Results& results);
 // The scenario as resolved, folded.
 std::string scenario_text(const Results& results);
 

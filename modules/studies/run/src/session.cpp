@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <scree/files/place_error.hpp>
+#include <scree/files/program_commit.hpp>
 #include <scree/files/text.hpp>
 #include <scree/files/try_each.hpp>
 #include <scree/report/page.hpp>
@@ -144,7 +145,7 @@ void Session::fail(const std::string& reason) {
 
 void Session::write_record(const char* status) {
   using Json = nlohmann::ordered_json;
-  Json json = {{"version", SCREE_VERSION}, {"status", status}};
+  Json json = {{"version", SCREE_VERSION}, {"commit", files::program_commit()}, {"status", status}};
   if (!error_.empty()) json["error"] = error_;
   json.update(study_->record());
   json["warnings"] = warnings_;

@@ -20,8 +20,9 @@ inline void write(const TemporaryFolder& folder, const std::string& name, const 
 
 // A run of two stages with series, as its files say.
 inline void write_run(const TemporaryFolder& folder) {
-  folder.write("run.json",
-               R"({"version": "1.2.3", "status": "finished", "title": "Beads & <walls>", "seed": 7,
+  folder.write(
+      "run.json",
+      R"({"version": "1.2.3", "commit": "0123abcd4567", "status": "finished", "title": "Beads & <walls>", "seed": 7,
     "threads": 2, "step": 1e-5, "wall_s": 150, "stepping_s": 140, "output_s": 10, "particle_steps_per_second": 2.5e6,
     "steps": 12345, "time": 0.12345, "energy_residual": 1.5e-7, "momentum_residual": 2e-16,
     "max_overlap_ratio": 0.02, "min_steps_per_contact": 40.5, "state_hash": "0123456789abcdef",

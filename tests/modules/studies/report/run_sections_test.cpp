@@ -29,7 +29,7 @@ TEST_CASE("the page of a run has its verdict, stages, balances, charts and how t
                            "2 min 30 s",
                            "<h2>How to repeat it</h2>",
                            "scree run scenario.toml --out again",
-                           "scree 1.2.3",
+                           "scree 1.2.3, commit <code>0123abcd4567</code>",
                            "0123456789abcdef",
                            "contact/linear <code>00bb</code>",
                            "title = &quot;Beads&quot;"})
