@@ -14,6 +14,8 @@ TEST_CASE("accuracy prints the cheapest setting and writes table, summary and ch
     CHECK(outcome.out.find(part) != std::string::npos);
   CHECK(w.has("study/accuracy.csv"));
   CHECK(nlohmann::json::parse(w.text("study/accuracy.json"))["orders"].size() == 8);
+  CHECK(nlohmann::json::parse(w.text("study/accuracy.json"))["options"] ==
+        nlohmann::json({{"tolerance", 0.01}, {"coarsest", 1.0}, {"count", 3}}));
   CHECK(w.has("study/charts/worst_error.png"));
   CHECK(w.scree("accuracy scene.toml --out study").status == 2);  // already contains a study
 }

@@ -30,6 +30,25 @@ TEST_CASE("modes tells the modes of a chain and writes them", "[tools]") {
   CHECK(!w.has("out/density.csv"));
 }
 
+TEST_CASE("the page of modes has the command that finds them again", "[tools]") {
+  const Workspace w(chain);
+  const std::string options =
+      "--modes 2 --residual 0.02 --near 88 --density 5 --density-to 150 --fewest-contacts 1";
+  REQUIRE(w.scree("modes scene.toml --quiet --sliding --out out " + options).status == 0);
+  const std::string page = w.text("out/report.html");
+  const std::string before = "<code>scree ";
+  const std::size_t begin = page.find(before + "modes scenario.toml"), end = page.find("</code>", begin);
+  REQUIRE(end < page.size());
+  const std::string call = page.substr(begin + before.size(), end - begin - before.size());
+  CHECK(call.find("--near 88.0") != std::string::npos);
+  CHECK(call.ends_with(" --sliding"));
+  CHECK(page.find("with the other options") == std::string::npos);
+  REQUIRE(w.shell("cd out && '" SCREE_TEST_PROGRAM "' " + call).status == 0);
+  for (const char* table : {"modes.csv", "density.csv"})
+    CHECK(w.text(std::string("out/again/") + table) == w.text(std::string("out/") + table));
+  CHECK(w.record("out/again", "modes.json")["options"] == w.record("out", "modes.json")["options"]);
+}
+
 #if SCREE_TEST_PICTURES
 TEST_CASE("modes draws the modes that are asked for", "[tools]") {
   const Workspace w(chain);

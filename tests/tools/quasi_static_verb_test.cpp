@@ -44,7 +44,8 @@ TEST_CASE("quasi-static follows the last stage, and cycles reads it", "[tools]")
 TEST_CASE("resume goes on with quasi-static loads that were interrupted, and names what it cannot go on with",
           "[tools]") {
   const Workspace w(biaxial);
-  const std::string follow = "quasi-static scene.toml --set scene.seed=12 --set stage.cycles.cycles=";
+  const std::string follow =
+      "quasi-static scene.toml --increments 50 --set scene.seed=12 --set stage.cycles.cycles=";
   REQUIRE(w.scree(follow + "200 --out whole").status == 0);
   const Outcome interrupted = w.shell(
       "'" SCREE_TEST_PROGRAM "' " + follow +
@@ -81,6 +82,8 @@ TEST_CASE("resume goes on with quasi-static loads that were interrupted, and nam
   CHECK(resumed.status == 0);
   CHECK(w.text("out/series/quasi_static.csv") == w.text("whole/series/quasi_static.csv"));
   CHECK(w.record("out", "quasi_static.json")["status"] == "finished");
+  CHECK(w.record("out", "quasi_static.json")["options"] == record["options"]);
+  CHECK(int(record["options"]["increments"]) == 50);
   // The state of a run.
   w.write("out/quasi_static.json", record.dump());
   std::filesystem::copy_file(w / "out/final_state.h5", w / "out/state.h5");

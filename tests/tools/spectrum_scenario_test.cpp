@@ -30,6 +30,7 @@ TEST_CASE("spectrum measures a scenario by all methods and prints what they foun
   CHECK(lines_of(w.text("out/sweep.csv")).size() == 1 + 71);
   CHECK(lines_of(w.text("out/methods.csv")).size() == 4);
   CHECK(nlohmann::json::parse(w.text("out/spectrum.json"))["status"] == "finished");
+  CHECK(nlohmann::json::parse(w.text("out/spectrum.json"))["options"]["by"] == "all");
   CHECK(w.has("out/charts/particles_z_8.png"));
 }
 

@@ -93,6 +93,14 @@ Json record_of(const Convergence& study) {
   return json;
 }
 
+Json json_of(const StudyOptions& options) {
+  Json json = {{"tolerance", options.tolerance}, {"coarsest", options.coarsest}, {"count", options.count}};
+  for (const Integration integration : options.integrations)
+    json["integrator"].push_back(traits_of(integration).name);
+  for (const std::string& quantity : options.quantities) json["quantity"].push_back(quantity);
+  return json;
+}
+
 void write_table(const Convergence& study, const run::RunDirectory& directory) {
   directory.write_file("accuracy.csv", csv_report(study));
 }

@@ -245,6 +245,7 @@ class RecordedStudy : public run::Study {
 
   void save_failed() override { write_table(runner_.found(), session_.directory()); }
   nlohmann::ordered_json record() override { return record_of(runner_.found()); }
+  nlohmann::ordered_json options() const override { return json_of(options_); }
 
   const Convergence& found() const { return runner_.found(); }
 

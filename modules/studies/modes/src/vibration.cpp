@@ -67,6 +67,7 @@ class VibrationStudy : public run::Study {
   bool has_results() const override { return !result_.modes.empty(); }
   void save_failed() override { write_tables(result_, directory_); }
   nlohmann::ordered_json record() override { return record_of(result_); }
+  nlohmann::ordered_json options() const override { return json_of(options_); }
 
   Vibration result() {
     result_.directory = directory_.path();

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <scree/charts/draw_chart.hpp>
@@ -181,6 +182,20 @@ Json record_of(const Vibration& v) {
   for (const auto& [what, wall] : v.seconds) json["wall_s"][what] = wall;
   json["pictures"] = v.pictures;
   json["expect"] = Json::array();
+  return json;
+}
+
+Json json_of(const VibrationOptions& options) {
+  Json json = {{"modes", options.modes}, {"residual", options.residual_limit}};
+  if (options.near_hz > 0) json["near"] = options.near_hz;
+  if (options.elastic) json["elastic"] = true;
+  if (options.loads) json["loads"] = true;
+  if (options.density > 0) json["density"] = options.density;
+  if (options.density_to_hz > 0) json["density_to"] = options.density_to_hz;
+  if (options.fewest_contacts > 0) json["fewest_contacts"] = options.fewest_contacts;
+  if (options.contacts_slide) json["sliding"] = true;
+  if (!options.pictures.empty()) json["picture"] = fmt::format("{}", fmt::join(options.pictures, ","));
+  if (!options.view.empty()) json["view"] = options.view;
   return json;
 }
 

@@ -51,6 +51,12 @@ class LoadStudy : public run::Study {
     load_.wall_time = session_.wall_time();
     return record_of(load_);
   }
+  // A load that goes on from a state knows its increment alone.
+  nlohmann::ordered_json options() const override {
+    const double whole = load_.period > 0 ? load_.period : load_.end - load_.start;
+    const bool begun = load_.increment > 0;
+    return {{"increments", begun ? std::llround(whole / load_.increment) : options_.increments}};
+  }
 
   FollowedLoad result() {
     load_.directory = session_.directory().path();

@@ -3,6 +3,8 @@
 #include "html.hpp"
 #include "numbers.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -97,7 +99,38 @@ std::string warnings(const Results& results) {
 
 namespace {
 
+// A word for the shell: in quotes unless all its characters stand for themselves there.
+std::string shell_word(const std::string& text) {
+  const auto is_plain = [](unsigned char c) {
+    return std::isalnum(c) || std::string_view("_./,:=+-@%").find(char(c)) != std::string_view::npos;
+  };
+  if (!text.empty() && std::all_of(text.begin(), text.end(), is_plain)) return text;
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
+}
+
+// Of the command line, as the record has them: a flag is true, an option that is repeated a list.
+std::string options_of(const Json& options) {
+  std::string words;
+  for (const auto& [key, value] : options.items()) {
+    std::string name = " --" + key;
+    std::replace(name.begin(), name.end(), '_', '-');
+    const auto add = [&](const Json& one) {
+      if (one.is_string()) words += name + ' ' + shell_word(one.get<std::string>());
+      if (one.is_number()) words += name + ' ' + one.dump();
+    };
+    if (value.is_boolean() && value.get<bool>()) words += name;
+    add(value);
+    for (const Json& one : value.is_array() ? value : Json::array()) add(one);
+  }
+  return words;
+}
+
 std::string call_of(const Results& results) {
+  if (const Json& options = object_in(results.record, "options"); !options.empty())
+    return fmt::format("scree {} scenario.toml --out again{}", results.verb, options_of(options));
+  // Records of versions that did not write them.
   std::string options;
   if (results.verb == std::string_view("spectrum")) {
     const Json& methods = list_in(results.record, "methods");
@@ -118,9 +151,9 @@ std::string program_of(const Results& results) {
 }
 
 std::string repetition(const Results& results) {
-  // The record of a run has all that it depends on; those of studies do not have every option.
-  const bool is_run = results.verb == std::string_view("run");
-  const char* const of_first_call = is_run ? "" : ", with the other options of the first call";
+  const bool knows_all =
+      results.verb == std::string_view("run") || !object_in(results.record, "options").empty();
+  const char* const of_first_call = knows_all ? "" : ", with the other options of the first call";
   Facts facts;
   facts.add("command", code(call_of(results)) + " in this directory" + of_first_call);
   facts.add("program", program_of(results));

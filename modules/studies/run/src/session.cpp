@@ -123,6 +123,8 @@ void Session::write_page() {
   }
 }
 
+nlohmann::ordered_json Study::options() const { return nlohmann::ordered_json::object(); }
+
 // That of the results from which these go on.
 void Session::remove_page() {
   std::error_code failed;
@@ -148,6 +150,7 @@ void Session::write_record(const char* status) {
   Json json = {{"version", SCREE_VERSION}, {"commit", files::program_commit()}, {"status", status}};
   if (!error_.empty()) json["error"] = error_;
   json.update(study_->record());
+  if (Json options = study_->options(); !options.empty()) json["options"] = std::move(options);
   json["warnings"] = warnings_;
   json["inputs"] = json_of(inputs_);
   json["scenario"] = plan_.resolved_text;

@@ -48,6 +48,11 @@ class SpectrumStudy : public run::Study {
   }
   void transfer(const StateTransfer& state) override;
   nlohmann::ordered_json record() override { return record_of(result_); }
+  // By which methods it was asked for, of which some may have been left out.
+  nlohmann::ordered_json options() const override {
+    const bool one = asked_.size() == 1 && left_out_.empty();
+    return {{"by", one ? method_names[std::size_t(asked_[0])] : "all"}};
+  }
 
   Measurement result() {
     result_.directory = directory_.path();

@@ -1,5 +1,6 @@
 #include "common_sections.hpp"
 
+#include "html.hpp"
 #include "report_support.hpp"
 
 #include <scree/report/record.hpp>
@@ -52,4 +53,11 @@ TEST_CASE("results are repeated by the verb that made them", "[report]") {
                  R"({"methods": [{"method": "linear"}, {"method": "pulse"}, {"method": "sweep"}]})",
                  "spectrum", "spectrum")),
              Catch::Contains("--by all"));
+  // Flags, words that the shell would take apart, lists.
+  const std::string html = repetition(results_of(
+      R"({"options": {"loads": true, "elastic": false, "density_to": 1e3, "quantity": ["a.b", "it's; $x"]}})",
+      "study of modes", "modes"));
+  CHECK_THAT(html, Catch::Contains("--out again --loads --density-to 1000.0 --quantity a.b --quantity ") &&
+                       !Catch::Contains("elastic") && !Catch::Contains("other options"));
+  CHECK_THAT(html, Catch::Contains(escaped("'it'\\''s; $x'")));
 }

@@ -19,6 +19,8 @@ std::string csv_report(const Convergence& study);
 
 // The entries of accuracy.json between its status and its warnings.
 nlohmann::ordered_json record_of(const Convergence& study);
+// Of accuracy.json: the options of scree accuracy, by their names.
+nlohmann::ordered_json json_of(const StudyOptions& options);
 // accuracy.csv: csv_report(). Throws Error (failure) if it cannot be written.
 void write_table(const Convergence& study, const run::RunDirectory& directory);
 // charts/<quantity>.png: error against wall time with the Pareto front, of the worst error and of up to six

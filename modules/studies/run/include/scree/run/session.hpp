@@ -142,6 +142,9 @@ class Study {
   virtual void transfer(const StateTransfer&) {}
   // The entries of the record between "status" and "warnings".
   virtual nlohmann::ordered_json record() = 0;
+  // Of the record: the options of the command, by their names, which change what the study finds; an empty
+  // object if the scenario says all. The report repeats them.
+  virtual nlohmann::ordered_json options() const;
 };
 
 // What a study does not care about: directory, lock, room for the last record on a full disk, record and
