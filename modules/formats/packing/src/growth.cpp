@@ -108,17 +108,20 @@ class Growth {
     return largest;
   }
 
-  // Moves a body into the region.
+  // Moves a body into the region; one that fits without its excess alone, into the middle.
   void confine(std::uint32_t i, double scale) {
     const double r = radius(i, scale);
     Vec3& x = spheres_[i].position;
     for (int k = 0; k < options_.dimension; ++k)
-      if (!options_.periodic[std::size_t(k)])
-        x[k] = std::max(box_.lower[k] + r, std::min(x[k], box_.upper[k] - r));
+      if (!options_.periodic[std::size_t(k)]) x[k] = confined(x[k], box_.lower[k] + r, box_.upper[k] - r);
     if (const auto* ball = std::get_if<Ball>(&options_.region))
-      confine_to(ball->centre, ball->radius - r, options_.dimension == 2 ? 2 : -1, x);
+      confine_to(ball->centre, std::max(0.0, ball->radius - r), options_.dimension == 2 ? 2 : -1, x);
     if (const auto* cylinder = std::get_if<Cylinder>(&options_.region))
-      confine_to(cylinder->centre, cylinder->radius - r, cylinder->axis, x);
+      confine_to(cylinder->centre, std::max(0.0, cylinder->radius - r), cylinder->axis, x);
+  }
+
+  static double confined(double x, double low, double high) {
+    return low < high ? std::clamp(x, low, high) : 0.5 * (low + high);
   }
 
   // Moves a point to within a distance of a centre, along other axes than `without`.

@@ -82,3 +82,24 @@ TEST_CASE("bodies that jam before they have their radii are refused with the fra
   CHECK_THAT(text, Catch::Contains("bodies that grow to their radii jam at") &&
                        Catch::Contains("a solid fraction of 0."));
 }
+
+TEST_CASE("bodies that grow stay in a region that is as wide as they are", "[packing]") {
+  // A layer, a row and a single body: the excess by which they grow does not fit.
+  const Region regions[] = {Bounds{{}, {{1.0, 1.0, 0.2}}}, Cylinder{{}, 0.1, 1.0, 1}, Ball{{}, 0.1}};
+  const std::uint64_t counts[] = {16, 4, 1};
+  for (std::size_t k = 0; k < 3; ++k) {
+    CloudOptions options;
+    options.region = regions[k];
+    options.count = counts[k];
+    options.growth = true;
+    const Cloud cloud = cloud_of(options, ConstantRadius{0.1});
+    CHECK_FALSE(find_overlap(cloud.packing));
+    const Bounds box = bounds_of(options.region, 3);
+    for (const Body& body : cloud.packing.bodies) {
+      // Round-off of coordinates near 1.
+      CHECK(holds(regions[k], 3, body.position, body.radius * (1 - 1e-14)));
+      for (int axis = 0; axis < 3; ++axis) CHECK(std::isfinite(body.position[axis]));
+      CHECK(body.position[2] == Approx(0.5 * (box.lower[2] + box.upper[2])).margin(1e-15));
+    }
+  }
+}
