@@ -79,6 +79,11 @@ struct Plane {
       return setup.refuse(
           "what moves the plane is given without control; give control = \"velocity\", \"stress\" or "
           "\"force\"");
+    // One of them would be ignored; with control it may wait for its stage.
+    if (control < 0 && moved_otherwise)
+      return setup.refuse(
+          "displacement and another motion are given without control; give control = \"displacement\", \"velocity\", "
+          "\"stress\" or \"force\", or leave one of them out");
     if (control < 0) control = motion.displacement.given() ? displacement : fixed;
     if (control == displacement && !motion.displacement.given())
       return setup.refuse("control = \"displacement\" without displacement; give displacement = <m>");

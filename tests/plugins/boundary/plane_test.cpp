@@ -142,3 +142,20 @@ TEST_CASE("a normal may have any length", "[plane]") {
     CHECK(s.planes()[0].normal[2] == Approx(0.8).margin(digits));
   }
 }
+
+TEST_CASE("a plane with a displacement and another motion has a control", "[plane]") {
+  const auto plane = [](const Values& more) {
+    Scene sc = scene(3, 1e-3, {body(1, 0.01, 0.01, {{0, 0, 1}})}, elastic);
+    Values all = {{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}, {"displacement", {3, 0, 0.1, 1}}};
+    all.insert(all.end(), more.begin(), more.end());
+    add_boundary(sc, "plane", all);
+    return sc;
+  };
+  for (const char* other : {"velocity", "stress", "force", "superposed"})
+    CHECK_THROWS_WITH(Simulation(plane({{other, {0.5}}})),
+                      Catch::Contains("displacement and another motion are given without control; give "));
+  // The other one may wait for its stage.
+  Simulation s(plane({{"velocity", {0.5}}, {"control", {1}}}));
+  run(s, 100);
+  CHECK(s.planes()[0].point[2] == Approx(0.01));
+}
