@@ -116,6 +116,18 @@ TEST_CASE("finished runs are not repeated, a changed value repeats only its runs
   CHECK(contains(w.scree(campaign_call + "--overwrite").out, "\n4 finished\n"));
 }
 
+TEST_CASE("campaign --list refuses what the campaign would refuse", "[tools]") {
+  for (const char* set : {"[set]\nparticles.random_velocty = [0.1, 0.2]\n", "[[set]]\na = 1\n"}) {
+    const CampaignWorkspace w(set);
+    const Outcome run = w.scree(campaign_call), list = w.scree(campaign_call + "--list");
+    CHECK(run.status == 2);
+    CHECK(list.status == 2);
+    CHECK(list.err == run.err);
+    CHECK(list.out.empty());
+    CHECK_FALSE(w.has("out"));
+  }
+}
+
 // A limit on file sizes simulates a full disk; a block has 512 bytes.
 TEST_CASE("a campaign whose runs cannot be written has failed, and none has blown up", "[tools]") {
   const CampaignWorkspace w("[set]\ntime.duration = [1e-4, 0.02]\nprobe.every = 1e-5\n");

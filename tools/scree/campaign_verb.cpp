@@ -35,15 +35,6 @@ std::filesystem::path directory_of(const campaign::Campaign& c, const CampaignAr
   return a.files.size() > 1 ? std::filesystem::path(a.out) / own.filename() : std::filesystem::path(a.out);
 }
 
-ExitStatus list_points(const campaign::Campaign& c, const CampaignArguments& a, const PluginHost& host) {
-  const campaign::CampaignDirectory directory(directory_of(c, a), c, false);
-  fmt::print("{}", files::escaped(campaign::list_report(c, directory.preparations(c, host),
-                                                        directory.outcomes(c, host)) +
-                                      campaign::leftover_report(directory.leftovers(c)),
-                                  files::Escapes::lines));
-  return ExitStatus::success;
-}
-
 campaign::ExecutionOptions options_of(const CampaignArguments& a, ProgressBar& bar) {
   campaign::ExecutionOptions options;
   options.studies = study_tables();
@@ -65,6 +56,22 @@ campaign::ExecutionOptions options_of(const CampaignArguments& a, ProgressBar& b
     bar.show(0, 0, fmt::format("{} of {} checked", checked, counted(total, "run")));
   };
   return options;
+}
+
+// Refuses what the campaign itself would refuse.
+ExitStatus list_points(const campaign::Campaign& c, const CampaignArguments& a, PluginHost& host) {
+  campaign::CampaignDirectory directory(directory_of(c, a), c, false);
+  {
+    ProgressBar bar(a.quiet);
+    const campaign::ExecutionOptions options = options_of(a, bar);
+    campaign::check(c, directory, options, host);
+    if (*options.stop) return ExitStatus::interrupted;
+  }
+  fmt::print("{}", files::escaped(campaign::list_report(c, directory.preparations(c, host),
+                                                        directory.outcomes(c, host)) +
+                                      campaign::leftover_report(directory.leftovers(c)),
+                                  files::Escapes::lines));
+  return ExitStatus::success;
 }
 
 campaign::Execution execute_with_bar(const campaign::Campaign& c, campaign::CampaignDirectory& directory,
