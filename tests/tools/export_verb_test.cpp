@@ -102,3 +102,46 @@ TEST_CASE("export joins all snapshots of a run in a dump and in extended XYZ", "
              Catch::Contains("ITEM: TIMESTEP\n5\n") && Catch::Contains("ITEM: TIMESTEP\n10\n"));
 }
 #endif
+
+TEST_CASE("export replaces no result of a run", "[tools]") {
+  const Workspace w;
+  REQUIRE(w.run().status == 0);
+  for (const char* file : {"run.json", "series/energy.csv", "written.txt", "series/../run.json"}) {
+    const std::string before = w.text(std::string("out/") + file);
+    const Outcome refused = w.scree(std::string("export out --format csv --overwrite --out out/") + file);
+    CHECK(refused.status == 2);
+    CHECK(refused.err == std::string("scree: out/") + file +
+                             ": is a result of scree, which exports do not replace; give another --out\n");
+    CHECK(w.text(std::string("out/") + file) == before);
+  }
+  CHECK(w.scree("export out --format csv --out out/mine.csv").status == 0);
+  CHECK(w.scree("export out --format csv --out out/mine.csv --overwrite").status == 0);
+}
+
+#if SCREE_TEST_PICTURES
+TEST_CASE("export of a run that blew up takes its last snapshot, or says what there is", "[tools]") {
+  const std::string fast = with(discs, "random_velocity = 0.1", "random_velocity = 50");
+  const Workspace w(with(fast, "step = 1e-5", "step = 1e-5\nstep_guard = false") +
+                    "[snapshot]\nevery = 1e-5\n");
+  REQUIRE(w.run("--set time.duration=0.1").status == 3);
+  REQUIRE_FALSE(w.has("out/final_state.h5"));
+  const Outcome last = w.scree("export out --format csv");
+  INFO(last.err);
+  CHECK(last.status == 0);
+  CHECK(w.scree("export out --format xyz").status == 0);
+  // The last frame of all.
+  const std::string frames = w.text("out.xyz"), time = "# time [s]: ";
+  const std::string table = w.text("out.csv");
+  const std::size_t at = table.find(time) + time.size();
+  const std::size_t newest = frames.rfind("Time=");
+  REQUIRE(newest != std::string::npos);
+  CHECK(std::stod(table.substr(at)) == std::stod(frames.substr(newest + 5)));
+  CHECK_THAT(w.scree("export out --format contacts-csv").err,
+             Catch::StartsWith("scree: out: has no state; "));
+  std::filesystem::remove_all(w / "out/snapshots");
+  CHECK(
+      w.scree("export out --format csv --overwrite").err ==
+      "scree: out: has neither a state nor snapshots of its bodies; take its final_packing.csv, or give the scene "
+      "[snapshot] every or [checkpoint]\n");
+}
+#endif

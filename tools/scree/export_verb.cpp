@@ -15,6 +15,7 @@
 #include <scree/packing/csv.hpp>
 #include <scree/packing/exports.hpp>
 #include <scree/packing/lammps.hpp>
+#include <scree/run/written_files.hpp>
 
 namespace scree::tool {
 
@@ -75,6 +76,19 @@ fs::path out_of(const ExportArguments& arguments, const std::string& suffix) {
   return (fs::is_directory(source) ? source.filename() : source.stem()).string() + suffix;
 }
 
+// Whether a run or study lists the file among its own, which lie in its directory or in a folder there.
+bool is_result(const fs::path& file) {
+  using run::WrittenFiles;
+  std::error_code failed;
+  const fs::path path = fs::weakly_canonical(file, failed), here = path.parent_path();
+  for (const fs::path& directory : {here, here.parent_path()}) {
+    if (!fs::is_regular_file(directory / WrittenFiles::file_name, failed)) continue;
+    const std::string name = path.lexically_relative(directory).generic_string();
+    if (name == WrittenFiles::file_name || WrittenFiles(directory).contains(name)) return true;
+  }
+  return false;
+}
+
 // Throws Error if the file may not be written.
 void check_out(const ExportArguments& arguments, const fs::path& out) {
   std::error_code failed;
@@ -83,6 +97,8 @@ void check_out(const ExportArguments& arguments, const fs::path& out) {
   if (!fs::is_regular_file(there)) throw Error(out.string(), "is not a regular file", "give another --out");
   if (out.extension() == ".h5" || fs::equivalent(out, arguments.source, failed))
     throw Error(out.string(), "holds what is exported, or another state", "give another --out");
+  if (is_result(out))
+    throw Error(out.string(), "is a result of scree, which exports do not replace", "give another --out");
   if (!arguments.overwrite)
     throw Error(out.string(), "is there already", "give another --out, or --overwrite");
 }
@@ -130,7 +146,7 @@ void add_export_verb(CommandLine& line) {
   add_plugin_options(verb, a->plugins);
   verb.footer(
       "lammps-dump, liggghts-dump and xyz hold all snapshots of a run, if it has any ([snapshot] every); other\n"
-      "formats its last state. contacts-csv holds its contacts: ids of both bodies, or of a body and the name of\n"
+      "formats its last state, or its last snapshot if it has no state. contacts-csv holds its contacts: ids of both bodies, or of a body and the name of\n"
       "the wall, unit normal, force on the first, overlap, whether it slides, point. SI units. Materials are numbered\n"
       "in the order in which bodies have them.\n"
       "Example: scree export runs/first --format xyz --out first.xyz");

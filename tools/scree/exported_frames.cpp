@@ -85,6 +85,15 @@ std::optional<fs::path> state_in(const fs::path& directory) {
   return latest;
 }
 
+[[noreturn]] void refuse_without_bodies(const fs::path& source) {
+  std::error_code failed;
+  // What a run leaves that blew up before its first state.
+  const bool has_table = fs::is_regular_file(source / "final_packing.csv", failed);
+  throw Error(source.string(), "has neither a state nor snapshots of its bodies",
+              has_table ? "take its final_packing.csv, or give the scene [snapshot] every or [checkpoint]"
+                        : "give the directory of a run, a state (.h5) or a particles_*.vtp");
+}
+
 }  // namespace
 
 Vec3 vector_at(const std::vector<double>& values, std::size_t i) {
@@ -102,14 +111,15 @@ void for_each_frame(const fs::path& source, bool all, const std::function<void(c
   if (source.extension() == ".h5") return use(frame_of_state(source));
   const bool is_run = fs::is_directory(source, failed);
   const std::optional<fs::path> state = is_run ? state_in(source) : std::nullopt;
-  const bool snapshots = !is_run || (all && has_snapshots(source));
-  if (!snapshots && !state)
-    throw Error(source.string(), "has neither a state nor snapshots of its bodies",
-                "give the directory of a run, a state (.h5) or a particles_*.vtp");
+  // A run that failed may have snapshots alone.
+  const bool snapshots = !is_run || ((all || !state) && has_snapshots(source));
+  if (!snapshots && !state) refuse_without_bodies(source);
   if (!snapshots) return use(frame_of_state(*state));
   const Domain domain = state ? domain_of(state_file::read_state(*state)) : Domain{};
   const auto backend = pictures::load_backend();
-  for (const fs::path& file : snapshot_files(source)) use(frame_of(backend->read_frame(file), domain));
+  std::vector<fs::path> files = snapshot_files(source);
+  if (!all) files.erase(files.begin(), files.end() - 1);
+  for (const fs::path& file : files) use(frame_of(backend->read_frame(file), domain));
 }
 
 }  // namespace scree::tool
