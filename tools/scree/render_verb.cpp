@@ -225,7 +225,7 @@ void add_render_verb(CommandLine& line) {
             "Draw the contacts above the mean normal force alone, coloured by it");
   verb.flag("--no-bodies", a->no_bodies, "Draw no bodies");
   verb.option("--cut", a->cut,
-              "Draw only bodies with centres in this range (m), as y=0.01,0.02; several times")
+              "Draw only what lies in this range (m), as y=0.01,0.02, with bodies cut there; several times")
       .shown_as("AXIS=LOW,HIGH");
   verb.flag("--follow-bodies", a->options.follow_bodies,
             "The frame holds the bodies of each picture, not all walls");

@@ -159,10 +159,23 @@ std::vector<std::string> read_group_names(const document::Table& probe, const Ke
   return names;
 }
 
-// The names of groups that probes count or leave out.
-std::vector<std::string> groups_of_probes(const document::Table& root) {
-  std::vector<std::string> known, all;
-  for (const document::Table& group : root.tables("group")) known.push_back(read(group, group_keys.name));
+std::vector<std::string> group_names(const document::Table& root) {
+  std::vector<std::string> names;
+  for (const document::Table& group : root.tables("group")) names.push_back(read(group, group_keys.name));
+  return names;
+}
+
+// Whether bodies in pictures have the colours of their groups.
+bool colors_groups(const document::Table& root) {
+  const auto snapshot = root.optional_table("snapshot");
+  return snapshot && read(*snapshot, snapshot_keys.color_by) == "group";
+}
+
+// The names of groups that probes count or leave out, or that pictures show.
+std::vector<std::string> observed_groups(const document::Table& root) {
+  const std::vector<std::string> known = group_names(root);
+  if (colors_groups(root)) return known;
+  std::vector<std::string> all;
   for (const document::Table& probe : root.tables("probe"))
     for (const Key* key : probe_selections)
       if (probe.optional(*key))
@@ -189,6 +202,12 @@ std::vector<bool> selected_by(const document::Table& probe, const Key& key, cons
 
 }  // namespace
 
+void check_colored_groups(const document::Table& root) {
+  if (colors_groups(root) && root.tables("group").empty())
+    throw root.table("snapshot")
+        .error(snapshot_keys.color_by, "the scene has no groups", "add [[group]], or choose another");
+}
+
 std::vector<std::uint8_t> read_left_out(const document::Table& probe, const Scene& scene) {
   bool any = false, known = true;
   for (const Key* key : probe_selections)
@@ -210,14 +229,13 @@ std::vector<std::uint8_t> read_left_out(const document::Table& probe, const Scen
 
 void read_groups(const document::Table& root, const std::vector<BodySource>& sources, Scene& scene) {
   UniqueNames names{"group"};
-  const std::vector<std::string> counted_by_probes = groups_of_probes(root);
+  const std::vector<std::string> observed = observed_groups(root);
   std::vector<freedom::Mask> moved(scene.bodies.size(), 0);
   for (const document::Table& group : root.tables("group")) {
     const std::string name = read(group, group_keys.name);
     names.add(group, name);
     std::vector<std::uint32_t> bodies = bodies_of_group(group, name, sources, scene);
-    const bool selected =
-        std::find(counted_by_probes.begin(), counted_by_probes.end(), name) != counted_by_probes.end();
+    const bool selected = std::find(observed.begin(), observed.end(), name) != observed.end();
     read_group_motion(group, name, bodies, selected, moved, scene);
     if (selected) scene.selections.push_back({name, std::move(bodies)});
   }

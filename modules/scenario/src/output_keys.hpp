@@ -102,7 +102,8 @@ struct CutKeys : TableKeys {
   CutKeys()
       : TableKeys(
             "snapshot.cut", "cut = { }",
-            "only bodies whose centre lies between the ends along each axis are drawn: a slice, or a half") {}
+            "what lies between the ends along each axis is drawn, a slice or a half; bodies are cut there and show "
+            "their inside") {}
   Key x = other("x", "[low, high]", Range::any("m"), "default all", "along x");
   Key y = other("y", "[low, high]", Range::any("m"), "default all", "along y");
   Key z = other("z", "[low, high]", Range::any("m"), "default all", "along z");

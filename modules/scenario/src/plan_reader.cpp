@@ -183,6 +183,7 @@ Plan read(const document::Document& document, const std::filesystem::path& path,
   plan.scene.spin = needs_spin(plan);
   plan.probes = read_probes(root, plan.scene, plan.stages, host);
   find_conditions(root, plan.probes, plan.scene.dimension, plan.stages);
+  check_colored_groups(root);
   plan.snapshot = read_snapshot(root, plan.scene.dimension, plan.scene.step);
   plan.checkpoint = read_checkpoint(root, plan.scene.step);
   std::vector<ProbeColumns> columns;

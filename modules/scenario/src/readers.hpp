@@ -179,6 +179,8 @@ ReadBodies read_bodies(const document::Table& root, int dimension, const std::ve
 // Applies the [[group]]s, in their order, to the bodies of the scene, which has its materials. sources: of
 // its bodies.
 void read_groups(const document::Table& root, const std::vector<BodySource>& sources, Scene& scene);
+// Throws Error if pictures show groups and there are none.
+void check_colored_groups(const document::Table& root);
 // For a [[probe]]: 1 for the bodies that its keys `groups` and `leave_out` exclude; empty without these keys.
 std::vector<std::uint8_t> read_left_out(const document::Table& probe, const Scene& scene);
 

@@ -58,3 +58,16 @@ TEST_CASE("what a picture shows is read from [snapshot]", "[scenario]") {
   CHECK_THAT(refused("cut = { x = [1, 0] }\n"), Catch::Contains("1 is not below 0"));
   CHECK_THAT(refused("cut = { w = [1, 0] }\n"), Catch::Contains("unknown key 'w'"));
 }
+
+TEST_CASE("pictures by group keep the bodies of all groups, and need one", "[scenario]") {
+  const std::string groups =
+      "[[group]]\nname = 'low'\nwhere = { y = [0, 0.02] }\nfixed = true\n"
+      "[[group]]\nname = 'right'\nwhere = { x = [0.05, 1] }\n";
+  const std::string colored = "[snapshot]\ncolor_by = 'group'\n";
+  const Plan plan = plan_of(discs + groups + colored);
+  REQUIRE(plan.scene.selections.size() == 2);
+  CHECK(plan.scene.selections[0].name == "low");
+  CHECK(plan.scene.selections[0].bodies == std::vector<std::uint32_t>{0, 1, 2});
+  CHECK(plan.scene.selections[1].bodies == std::vector<std::uint32_t>{2, 5, 8});
+  CHECK_THAT(refusal(discs + colored), Catch::Contains("the scene has no groups; add [[group]]"));
+}

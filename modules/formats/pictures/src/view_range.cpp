@@ -45,9 +45,12 @@ struct BodiesBox {
 std::vector<double> color_values(const Frame& frame, const std::string& color_by) {
   if (color_by == "radius") return frame.radius;
   if (color_by == "speed") return magnitudes(frame.velocity);
-  if (color_by.starts_with("velocity_"))
-    return components(frame.velocity, std::size_t(color_by.back() - 'x'));
+  if (color_by == "displacement") return magnitudes(frame.displacement);
+  if (color_by.starts_with("velocity_") || color_by.starts_with("displacement_"))
+    return components(color_by[0] == 'v' ? frame.velocity : frame.displacement,
+                      std::size_t(color_by.back() - 'x'));
   if (color_by == "material") return {frame.material.begin(), frame.material.end()};
+  if (color_by == "group") return {frame.group.begin(), frame.group.end()};
   if (color_by == "spin") return magnitudes(frame.spin);
   if (color_by == "net_force") return magnitudes(frame.force);
   if (color_by == "largest_force") return largest_forces(frame);

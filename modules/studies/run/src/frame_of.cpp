@@ -4,6 +4,7 @@
 #include <scree/body_bounds.hpp>
 #include <scree/pictures/view_range.hpp>
 #include <scree/run/frame_of.hpp>
+#include <scree/run/run_in_memory.hpp>
 
 namespace scree::run {
 
@@ -25,6 +26,25 @@ void add_bodies(const Particles& p, pictures::Frame& frame) {
   frame.velocity = interleave(p.velocity(), p.size());
   frame.force = interleave(p.force(), p.size());
   if (p.has_spin()) frame.spin = interleave(p.spin(), p.size());
+}
+
+// The bodies at t = 0 are in every state, so that a run that goes on has the same displacements.
+void add_displacements(const Simulation& s, pictures::Frame& frame) {
+  const std::vector<Vec3> now = unwrapped_positions(s);
+  for (std::size_t i = 0; i < now.size(); ++i)
+    for (int k = 0; k < 3; ++k)
+      frame.displacement.push_back(k < s.dimension() ? now[i][k] - s.scene().bodies[i].position[k] : 0);
+}
+
+// A body in several groups counts in the first.
+void add_groups(const Simulation& s, pictures::Frame& frame) {
+  frame.group.assign(frame.particle_count(), -1);
+  for (const BodySelection& selection : s.scene().selections) {
+    const auto number = std::int32_t(frame.groups.size());
+    frame.groups.push_back(selection.name);
+    for (const std::uint32_t i : selection.bodies)
+      if (frame.group[i] < 0) frame.group[i] = number;
+  }
 }
 
 // What a table of contacts says of contact c besides its numbers in the picture.
@@ -117,7 +137,8 @@ SceneBox next_view(const SceneBox& shown, const SceneBox& scene) {
   return next;
 }
 
-pictures::Frame frame_of(const Simulation& s, const std::string& title, const SceneBox& box) {
+pictures::Frame frame_of(const Simulation& s, const std::string& title, const SceneBox& box,
+                         const std::string& color_by) {
   pictures::Frame frame;
   frame.time = s.time();
   frame.step = s.steps();
@@ -125,6 +146,8 @@ pictures::Frame frame_of(const Simulation& s, const std::string& title, const Sc
   frame.title = title;
   add_bodies(s.particles(), frame);
   add_contacts(s, frame);
+  if (color_by.starts_with("displacement")) add_displacements(s, frame);
+  if (color_by == "group") add_groups(s, frame);
   for (std::size_t w = 0; w < s.planes().size(); ++w) {
     if (s.absent_planes()[w]) continue;
     const scree_plane& plane = s.planes()[w];

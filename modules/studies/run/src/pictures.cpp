@@ -65,7 +65,8 @@ void Pictures::write_snapshot(const Simulation& s) {
   for (const char* kind : pictures::frame_kinds)
     directory_.add("snapshots/" + pictures::frame_file(kind, s.steps())),
         directory_.add("snapshots/" + pictures::frame_index(kind));
-  backend().write_frame(frame_of(s, plan_.title, scene_box(s)), directory_.path() / "snapshots");
+  backend().write_frame(frame_of(s, plan_.title, scene_box(s), plan_.snapshot.picture.color_by),
+                        directory_.path() / "snapshots");
   if (plan_.snapshot.h5md) trajectory_.add(s);
 }
 
@@ -75,7 +76,7 @@ void Pictures::write_image(const Simulation& s) {
   pictures::RenderOptions options = plan_.snapshot.picture;
   options.time_spacing = *plan_.snapshot.image_every;
   shown_ = next_view(shown_, scene_box(s));
-  const pictures::Frame frame = frame_of(s, plan_.title, shown_);
+  const pictures::Frame frame = frame_of(s, plan_.title, shown_, options.color_by);
   range_.add_colors(frame);
   if (!options.color_range) options.color_range = range_.colors();
   backend().render(frame, options, directory_.add(fmt::format("images/frame_{:010}.png", s.steps())));

@@ -75,8 +75,11 @@ inline Frame sample_frame() {
       frame.velocity.push_back(1e-200 * std::cos(3.0 * i + k));
       frame.spin.push_back(1e200 * std::tan(3.0 * i + k));
       frame.force.push_back(k == 0 ? -0.0 : std::exp(-i * k));
+      frame.displacement.push_back(std::sin(7.0 * i - k));
     }
+    frame.group.push_back(i % 3 - 1);
   }
+  frame.groups = {"floor", "a \"lid\""};
   for (int c = 0; c < 4; ++c) {
     for (int k = 0; k < 3; ++k) {
       frame.contact_from.push_back(frame.position[3 * c + k]);

@@ -42,3 +42,29 @@ TEST_CASE("a picture leaves out walls that are absent, and contacts name the wal
   CHECK(frame.walls[0].name == "floor");
   CHECK(frame.contact_wall == std::vector<std::int32_t>{0});
 }
+
+TEST_CASE("displacements count from t = 0 without jumps at periodic faces, and groups are named", "[run]") {
+  using namespace scree::test;
+  scree::Scene sc =
+      scene(3, 1e-3, {body(1, 0.1, 1, {{0.5, 0.5, 0.5}}, {{3, 0, -1}}), body(2, 0.1, 1, {{0.2, 0.2, 0}})},
+            {{"normal_stiffness", {100}}, {"normal_damping", {0}}});
+  add_boundary(sc, "periodic", {{"axes", {0}}, {"lower", {0, 0, 0}}, {"upper", {1, 1, 1}}});
+  sc.limits.speed = 100;
+  sc.selections = {{"first", {0}}, {"both", {0, 1}}};
+  scree::Simulation simulation(sc);
+  scree::test::run(simulation, 1000);  // 3 m along x, three periods
+  const auto frame = [&](const char* color_by) {
+    return scree::run::frame_of(simulation, "", cube(0, 1), color_by);
+  };
+  const scree::pictures::Frame moved = frame("displacement_x");
+  REQUIRE(moved.displacement.size() == 6);
+  CHECK(moved.displacement[0] == Approx(3));  // at a constant velocity: of round-off
+  CHECK(moved.displacement[1] == 0);
+  CHECK(moved.displacement[2] == Approx(-1));
+  CHECK(moved.displacement[3] == 0);
+  CHECK(moved.group.empty());
+  const scree::pictures::Frame grouped = frame("group");
+  CHECK(grouped.displacement.empty());
+  CHECK(grouped.groups == std::vector<std::string>{"first", "both"});
+  CHECK(grouped.group == std::vector<std::int32_t>{0, 1});
+}

@@ -37,6 +37,8 @@ void check_columns(const Frame& frame) {
   check_length("velocity", frame.velocity, 3 * n, true);
   check_length("spin", frame.spin, 3 * n, true);
   check_length("force", frame.force, 3 * n, true);
+  check_length("displacement", frame.displacement, 3 * n, true);
+  check_length("group", frame.group, n, true);
   const std::size_t c = frame.contact_count();
   check_length("contact_from", frame.contact_from, 3 * c, false);
   check_length("contact_to", frame.contact_to, 3 * c, false);

@@ -36,12 +36,17 @@ struct Unpacker {
 };
 
 template <class Packing, class Values>
-void transfer_column(Packing& packing, Values& values) {
+void transfer_size(Packing& packing, Values& values) {
   std::size_t size = values.size();
   packing.raw(&size, sizeof(size));
   packing.require(size);
   values.resize(size);
-  packing.raw(values.data(), size * sizeof(values[0]));
+}
+
+template <class Packing, class Values>
+void transfer_column(Packing& packing, Values& values) {
+  transfer_size(packing, values);
+  packing.raw(values.data(), values.size() * sizeof(values[0]));
 }
 
 template <class Packing>
@@ -53,13 +58,12 @@ void transfer(Packing& packing, Frame& f) {
   packing.raw(&f.upper, sizeof(f.upper));
   const auto columns = [&](auto&... column) { (transfer_column(packing, column), ...); };
   columns(f.title, f.id, f.radius, f.position, f.material, f.coordination, f.velocity, f.spin, f.force,
-          f.contact_from, f.contact_to, f.contact_normal_force, f.contact_tangential_force, f.contact_overlap,
-          f.contact_sliding, f.contact_a, f.contact_b, f.contact_wall, f.contact_normal, f.contact_force,
-          f.contact_point);
-  std::size_t walls = f.walls.size();
-  packing.raw(&walls, sizeof(walls));
-  packing.require(walls);
-  f.walls.resize(walls);
+          f.displacement, f.group, f.contact_from, f.contact_to, f.contact_normal_force,
+          f.contact_tangential_force, f.contact_overlap, f.contact_sliding, f.contact_a, f.contact_b,
+          f.contact_wall, f.contact_normal, f.contact_force, f.contact_point);
+  transfer_size(packing, f.groups);
+  for (std::string& group : f.groups) transfer_column(packing, group);
+  transfer_size(packing, f.walls);
   for (Wall& wall : f.walls) {
     transfer_column(packing, wall.name);
     packing.raw(&wall.point, sizeof(wall.point));

@@ -24,6 +24,9 @@ inline constexpr const char* velocity = "velocity";
 inline constexpr const char* spin = "spin";
 inline constexpr const char* coordination = "coordination";
 inline constexpr const char* force = "force";
+inline constexpr const char* displacement = "displacement";
+inline constexpr const char* group = "group";
+inline constexpr const char* group_name = "group_name";
 inline constexpr const char* stress = "stress";
 
 inline constexpr const char* normal_force = "normal_force";

@@ -78,6 +78,8 @@ void read_particles(vtkPolyData* data, Frame& frame) {
   frame.spin = column<double>(columns, vtp::spin);
   frame.coordination = column<std::int32_t>(columns, vtp::coordination);
   frame.force = column<double>(columns, vtp::force);
+  frame.displacement = column<double>(columns, vtp::displacement);
+  frame.group = column<std::int32_t>(columns, vtp::group);
 }
 
 void read_scene(vtkFieldData* fields, Frame& frame) {
@@ -89,6 +91,7 @@ void read_scene(vtkFieldData* fields, Frame& frame) {
   if (!title.empty()) frame.title = title[0];
   frame.lower = triple(column<double>(fields, vtp::lower), 0);
   frame.upper = triple(column<double>(fields, vtp::upper), 0);
+  frame.groups = strings(fields, vtp::group_name);
   const auto names = strings(fields, vtp::wall_name);
   const auto points = column<double>(fields, vtp::wall_point);
   const auto normals = column<double>(fields, vtp::wall_normal);

@@ -68,6 +68,7 @@ void add_scene(vtkFieldData* fields, const Frame& frame) {
   add_column<vtkDoubleArray>(fields, vtp::lower, triple(frame.lower), 3);
   add_column<vtkDoubleArray>(fields, vtp::upper, triple(frame.upper), 3);
   if (!frame.walls.empty()) add_walls(fields, frame.walls);
+  if (!frame.groups.empty()) add_strings(fields, vtp::group_name, frame.groups);
 }
 
 // Cells of `size` consecutive points.
@@ -111,6 +112,8 @@ std::string particles_vtp(const Frame& frame) {
   add_carried_column<vtkDoubleArray>(columns, vtp::spin, frame.spin, 3);
   add_carried_column<vtkTypeInt32Array>(columns, vtp::coordination, frame.coordination);
   add_carried_column<vtkDoubleArray>(columns, vtp::force, frame.force, 3);
+  add_carried_column<vtkDoubleArray>(columns, vtp::displacement, frame.displacement, 3);
+  add_carried_column<vtkTypeInt32Array>(columns, vtp::group, frame.group);
   if (!frame.contact_force.empty())
     add_carried_column<vtkDoubleArray>(columns, vtp::stress, stresses(frame), 6);
   add_scene(data->GetFieldData(), frame);

@@ -33,13 +33,23 @@ RawField raw_field(const Frame& frame, const std::string& name) {
     const char *title, *unit;
     bool whole_numbers;
   };
-  static constexpr Known all[] = {
-      {"radius", "radius", "m", false},           {"speed", "speed", "m/s", false},
-      {"velocity_x", "velocity x", "m/s", false}, {"velocity_y", "velocity y", "m/s", false},
-      {"velocity_z", "velocity z", "m/s", false}, {"material", "material", "", true},
-      {"spin", "spin", "rad/s", false},           {"coordination", "contacts", "", true},
-      {"pressure", "pressure", "Pa", false},      {"largest_force", "largest contact force", "N", false},
-      {"net_force", "net force", "N", false},     {"id", "id", "", true}};
+  static constexpr Known all[] = {{"radius", "radius", "m", false},
+                                  {"speed", "speed", "m/s", false},
+                                  {"velocity_x", "velocity x", "m/s", false},
+                                  {"velocity_y", "velocity y", "m/s", false},
+                                  {"velocity_z", "velocity z", "m/s", false},
+                                  {"material", "material", "", true},
+                                  {"spin", "spin", "rad/s", false},
+                                  {"coordination", "contacts", "", true},
+                                  {"pressure", "pressure", "Pa", false},
+                                  {"largest_force", "largest contact force", "N", false},
+                                  {"net_force", "net force", "N", false},
+                                  {"id", "id", "", true},
+                                  {"displacement", "displacement", "m", false},
+                                  {"displacement_x", "displacement x", "m", false},
+                                  {"displacement_y", "displacement y", "m", false},
+                                  {"displacement_z", "displacement z", "m", false},
+                                  {"group", "group", "", true}};
   for (const Known& known : all)
     if (known.name == name) return {known.title, known.unit, color_values(frame, name), known.whole_numbers};
   throw Error(
@@ -72,6 +82,36 @@ std::vector<double> few_values(const std::vector<double>& values) {
   return distinct.size() > 1 ? distinct : std::vector<double>();
 }
 
+std::array<std::uint8_t, 3> paled(std::array<std::uint8_t, 3> color, double paleness) {
+  for (std::uint8_t& part : color) part = std::uint8_t(std::lround(std::lerp(part, 255, paleness)));
+  return color;
+}
+
+Error absent_field(const std::string& name) {
+  if (name == "group" || name.starts_with("displacement"))
+    return Error(
+        fmt::format("color_by: these snapshots have no {0}; run the scene with color_by = \"{0}\" in "
+                    "[snapshot], or choose another",
+                    name));
+  return Error(fmt::format("color_by: this scene has no {}; choose another of {}", name,
+                           fmt::join(color_fields, ", ")));
+}
+
+// Bodies in no group are grey.
+ColorField group_field(const Frame& frame, std::vector<double> values, double paleness) {
+  const double groups = double(frame.groups.size());
+  for (const double value : values)
+    if (!(value >= -1 && value < groups))
+      throw Error("frame: a body has a group that has no name; draw a frame that a run has written");
+  return {.title = "group",
+          .values = std::move(values),
+          .lower = 0,
+          .upper = 1,
+          .whole_numbers = true,
+          .paleness = paleness,
+          .names = frame.groups};
+}
+
 AxisSpan given_range(const std::array<double, 2>& range) {
   if (std::isfinite(range[0]) && std::isfinite(range[1]) && range[0] < range[1]) return {range[0], range[1]};
   throw Error(fmt::format("color_range: [{}, {}] is not a range; give a lower and a greater upper value",
@@ -95,16 +135,28 @@ std::array<std::uint8_t, 3> viridis(double t) {
 }
 
 std::array<std::uint8_t, 3> ColorField::color_at(double share) const {
-  std::array<std::uint8_t, 3> color = viridis(share);
-  for (std::uint8_t& part : color) part = std::uint8_t(std::lround(std::lerp(part, 255, paleness)));
-  return color;
+  return paled(viridis(share), paleness);
+}
+
+std::array<std::uint8_t, 3> ColorField::color_of(double value) const {
+  if (names.empty()) return color_at((value - lower) / (upper - lower));
+  return paled(value < 0 ? viridis(NAN) : group_colors[std::size_t(value) % group_colors.size()], paleness);
+}
+
+std::vector<ColorField::Entry> ColorField::legend() const {
+  std::vector<Entry> entries;
+  for (const double value : distinct) entries.push_back({color_of(value), fmt::format("{:.4g}", value)});
+  for (std::size_t k = 0; k < names.size(); ++k) entries.push_back({color_of(double(k)), names[k]});
+  if (!names.empty() && std::count(values.begin(), values.end(), -1) > 0)
+    entries.push_back({color_of(-1), "in no group"});
+  return entries;
 }
 
 ColorField color_field(const Frame& frame, const RenderOptions& options) {
   RawField raw = raw_field(frame, options.color_by);
-  if (raw.values.size() != frame.particle_count())
-    throw Error(fmt::format("color_by: this scene has no {}; choose another of {}", options.color_by,
-                            fmt::join(color_fields, ", ")));
+  if (raw.values.size() != frame.particle_count()) throw absent_field(options.color_by);
+  const double paleness = options.show_contacts && frame.dimension == 2 ? paleness_among_contacts : 0;
+  if (options.color_by == "group") return group_field(frame, std::move(raw.values), paleness);
   const AxisSpan range = options.color_range ? given_range(*options.color_range) : value_range(raw);
   const charts::ScaledUnit unit =
       charts::scaled_unit(std::max(std::abs(range.lower), std::abs(range.upper)), raw.unit);
@@ -117,7 +169,7 @@ ColorField color_field(const Frame& frame, const RenderOptions& options) {
           range.lower * unit.factor,
           range.upper * unit.factor,
           raw.whole_numbers,
-          options.show_contacts && frame.dimension == 2 ? paleness_among_contacts : 0,
+          paleness,
           std::move(distinct)};
 }
 

@@ -1,5 +1,6 @@
 #include "cut_frame.hpp"
 
+#include <cmath>
 #include <vector>
 
 #include <fmt/format.h>
@@ -8,14 +9,6 @@
 
 namespace scree::pictures {
 namespace {
-
-using Cut = std::array<std::optional<std::array<double, 2>>, 3>;
-
-bool is_within(const Cut& cut, const double* point) {
-  for (std::size_t k = 0; k < 3; ++k)
-    if (cut[k] && !(point[k] >= (*cut[k])[0] && point[k] <= (*cut[k])[1])) return false;
-  return true;
-}
 
 // Leaves the rows of a column, if it has any, for which `kept` is not 0.
 template <class T>
@@ -35,7 +28,8 @@ void keep_bodies(Frame& frame, const std::vector<char>& kept) {
   keep_rows(frame.radius, kept, 1);
   keep_rows(frame.material, kept, 1);
   keep_rows(frame.coordination, kept, 1);
-  for (auto* vectors : {&frame.position, &frame.velocity, &frame.spin, &frame.force})
+  keep_rows(frame.group, kept, 1);
+  for (auto* vectors : {&frame.position, &frame.velocity, &frame.spin, &frame.force, &frame.displacement})
     keep_rows(*vectors, kept, 3);
 }
 
@@ -51,16 +45,31 @@ void keep_contacts(Frame& frame, const std::vector<char>& kept) {
   keep_rows(frame.contact_wall, kept, 1);
 }
 
+// Leaves the part of a bar that lies in the half-spaces; false if there is none.
+bool shorten(double* from, double* to, const std::vector<HalfSpace>& spaces) {
+  for (const auto& [normal, offset] : spaces) {
+    const double height_from = dot(normal, {from[0], from[1], from[2]}) - offset;
+    const double height_to = dot(normal, {to[0], to[1], to[2]}) - offset;
+    if (height_from < 0 && height_to < 0) return false;
+    if (height_from >= 0 && height_to >= 0) continue;
+    const double share = height_from / (height_from - height_to);
+    double* const outside = height_from < 0 ? from : to;
+    for (int k = 0; k < 3; ++k) outside[k] = std::lerp(from[k], to[k], share);
+  }
+  return true;
+}
+
 }  // namespace
 
-Frame cut_frame(const Frame& frame, const Cut& cut) {
-  std::vector<char> bodies(frame.particle_count()), contacts(frame.contact_count());
-  for (std::size_t i = 0; i < bodies.size(); ++i) bodies[i] = is_within(cut, frame.position.data() + 3 * i);
-  for (std::size_t c = 0; c < contacts.size(); ++c)
-    contacts[c] =
-        is_within(cut, frame.contact_from.data() + 3 * c) && is_within(cut, frame.contact_to.data() + 3 * c);
+Frame cut_frame(const Frame& frame, const std::vector<HalfSpace>& spaces, ColorField& field) {
   Frame result = frame;
+  std::vector<char> bodies(frame.particle_count()), contacts(frame.contact_count());
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    bodies[i] = reaches_into(spaces, frame.position.data() + 3 * i, frame.radius[i]);
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    contacts[c] = shorten(result.contact_from.data() + 3 * c, result.contact_to.data() + 3 * c, spaces);
   keep_bodies(result, bodies);
+  keep_rows(field.values, bodies, 1);
   keep_contacts(result, contacts);
   if (result.particle_count() == 0 && frame.particle_count() > 0)
     throw Error(fmt::format("cut: none of {} bodies lies there; give a range that holds some",

@@ -1,14 +1,16 @@
 #pragma once
 
-#include <array>
-#include <optional>
+#include "color_field.hpp"
+#include "half_space.hpp"
+
+#include <vector>
 
 #include <scree/pictures/frame.hpp>
 
 namespace scree::pictures {
 
-// The frame with only those bodies whose centre lies between the ends along each axis (m), and with contacts
-// that have both ends there. Throws scree::Error if no body is left.
-Frame cut_frame(const Frame& frame, const std::array<std::optional<std::array<double, 2>>, 3>& cut);
+// The frame, and the values of its field, with only those bodies of which a part lies in the half-spaces, and
+// with the parts of contacts there. Throws scree::Error if no body is left.
+Frame cut_frame(const Frame& frame, const std::vector<HalfSpace>& spaces, ColorField& field);
 
 }  // namespace scree::pictures

@@ -40,7 +40,8 @@ vtkStandardNewMacro(Panel)
 
     bool Panel::Paint(vtkContext2D* painter) {
   paint_caption(painter);
-  if (field) field->distinct.empty() ? paint_color_bar(painter) : paint_legend(painter);
+  const std::vector<ColorField::Entry> legend = field ? field->legend() : std::vector<ColorField::Entry>();
+  if (field) legend.empty() ? paint_color_bar(painter) : paint_legend(painter, legend);
   if (scale_bar > 0) paint_scale_bar(painter);
   paint_triad(painter);
   return true;
@@ -80,17 +81,18 @@ void Panel::paint_color_bar(vtkContext2D* painter) const {
   }
 }
 
-void Panel::paint_legend(vtkContext2D* painter) const {
+void Panel::paint_legend(vtkContext2D* painter, const std::vector<ColorField::Entry>& legend) const {
   const double font = layout.font, left = layout.scene_width() + 1.2 * font;
   double y = layout.height - layout.caption() - 1.1 * font;
   draw_text(painter, layout.scene_width() + 0.4 * font, y, field->title, {font}, layout.side() - 0.8 * font);
-  for (const double value : field->distinct) {
+  const double lowest = 9 * font;  // above the triad
+  for (const auto& [color, label] : legend) {
     y -= 1.9 * font;
-    const auto color = field->color_at((value - field->lower) / (field->upper - field->lower));
+    if (y < lowest) break;
     set_pen(painter, 1.2 * layout.pixel_scale);
     painter->GetBrush()->SetColor(color[0], color[1], color[2], 255);
     painter->DrawRect(float(left), float(y - 0.5 * font), float(font), float(font));
-    draw_text(painter, left + 1.5 * font, y, fmt::format("{:.4g}", value), {font}, layout.side() - 3 * font);
+    draw_text(painter, left + 1.5 * font, y, label, {font}, layout.side() - 3 * font);
   }
 }
 

@@ -45,7 +45,7 @@ class Panel : public vtkContextItem {
  private:
   void paint_caption(vtkContext2D* painter) const;
   void paint_color_bar(vtkContext2D* painter) const;
-  void paint_legend(vtkContext2D* painter) const;
+  void paint_legend(vtkContext2D* painter, const std::vector<ColorField::Entry>& legend) const;
   void paint_scale_bar(vtkContext2D* painter) const;
   void paint_triad(vtkContext2D* painter) const;
 };

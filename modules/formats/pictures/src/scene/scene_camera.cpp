@@ -52,22 +52,6 @@ void add_light(vtkRenderer* renderer, const Point& position, double intensity) {
 
 }  // namespace
 
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-Point normalised(const Point& a) {
-  const double length = std::sqrt(dot(a, a));
-  return {a[0] / length, a[1] / length, a[2] / length};
-}
-
-Point moved(const Point& from, double distance, const Point& direction) {
-  return {from[0] + distance * direction[0], from[1] + distance * direction[1],
-          from[2] + distance * direction[2]};
-}
-
 Point SceneBox::center() const {
   return {(lower[0] + upper[0]) / 2, (lower[1] + upper[1]) / 2, (lower[2] + upper[2]) / 2};
 }

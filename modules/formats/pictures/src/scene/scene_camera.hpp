@@ -1,5 +1,7 @@
 #pragma once
 
+#include "point.hpp"
+
 #include <array>
 #include <string>
 
@@ -8,13 +10,6 @@
 class vtkRenderer;
 
 namespace scree::pictures {
-
-using Point = std::array<double, 3>;
-
-double dot(const Point& a, const Point& b);
-Point cross(const Point& a, const Point& b);
-Point normalised(const Point& a);
-Point moved(const Point& from, double distance, const Point& direction);
 
 // Region that a picture shows (m).
 struct SceneBox {

@@ -69,17 +69,27 @@ vtkNew<Panel> make_panel(const Frame& frame, const RenderOptions& options, const
   return panel;
 }
 
+// From the eye, with edges as wide as the rims of discs.
+SphereCut cut_of_spheres(std::vector<HalfSpace> spaces, const SceneCamera& camera,
+                         const SceneLayout& layout) {
+  for (HalfSpace& space : spaces) space.offset -= space.normal[2] * camera.distance;
+  return {std::move(spaces), 1.25 * layout.pixel_scale * 2 * camera.half_height / layout.scene_height()};
+}
+
 void add_particles(vtkRenderer* renderer, const Frame& frame, const RenderOptions& options,
                    const ColorField& field, const SceneCamera& camera, const SceneLayout& layout) {
   if (frame.particle_count() == 0 || !options.show_bodies) return;
-  if (frame.dimension == 2) return add_discs(renderer, frame, field, layout.pixel_scale);
+  const std::vector<HalfSpace> cut = half_spaces(options.cut);
+  if (frame.dimension == 2) return add_discs(renderer, frame, field, layout.pixel_scale, cut);
+  const std::vector<HalfSpace> cut_in_view = seen(cut, camera);
   std::vector<std::size_t> particles(frame.particle_count());
   std::iota(particles.begin(), particles.end(), std::size_t{0});
+  const SphereCut sphere_cut = cut_of_spheres(cut_in_view, camera, layout);
   if (shrinks_spheres(frame, options))
-    return add_spheres(renderer, frame, field, particles, sphere_scale_among_contacts);
+    return add_spheres(renderer, frame, field, particles, sphere_scale_among_contacts, sphere_cut);
   particles = visible_spheres(frame, camera, int(std::lround(layout.scene_width())),
-                              int(std::lround(layout.scene_height())));
-  add_spheres(renderer, frame, field, particles, 1);
+                              int(std::lround(layout.scene_height())), cut_in_view);
+  add_spheres(renderer, frame, field, particles, 1, sphere_cut);
 }
 
 // Bodies among their arrows: small and of one pale grey.
@@ -106,10 +116,10 @@ Picture picture_of(OffscreenContext& context, const Frame& whole, const ArrowFie
   check_size(options.width, options.height);
   check_columns(whole);
   check_drawable(whole);
-  const bool cut = !arrows && (options.cut[0] || options.cut[1] || options.cut[2]);
-  const Frame part = cut ? cut_frame(whole, options.cut) : Frame();
-  const Frame& frame = cut ? part : whole;
-  const ColorField field = arrows ? arrow_lengths(frame, *arrows) : color_field(frame, options);
+  ColorField field = arrows ? arrow_lengths(whole, *arrows) : color_field(whole, options);
+  const std::vector<HalfSpace> spaces = arrows ? std::vector<HalfSpace>() : half_spaces(options.cut);
+  const Frame part = spaces.empty() ? Frame() : cut_frame(whole, spaces, field);
+  const Frame& frame = spaces.empty() ? whole : part;
   const ViewAxes axes = options.direction && frame.dimension == 3 ? axes_towards(*options.direction)
                                                                   : view_axes(options.view, frame.dimension);
   const SceneBox box =

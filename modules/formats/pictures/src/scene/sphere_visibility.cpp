@@ -10,9 +10,11 @@ namespace {
 // Nearest sphere at the centre of each pixel.
 class DepthImage {
  public:
-  DepthImage(int width, int height)
+  // cut: half-spaces in pixels, out of which nothing is drawn.
+  DepthImage(int width, int height, std::vector<HalfSpace> cut)
       : width_(width),
         height_(height),
+        cut_(std::move(cut)),
         depth_(std::size_t(width) * height, -std::numeric_limits<float>::infinity()),
         owner_(depth_.size(), -1) {}
 
@@ -27,7 +29,9 @@ class DepthImage {
       const int right = std::min(width_ - 1, int(std::floor(x + half - 0.5)));
       for (int column = left; column <= right; ++column) {
         const double dx = column + 0.5 - x;
-        const float depth = float(z + std::sqrt(std::max(0.0, half * half - dx * dx)));
+        const double rise = std::sqrt(std::max(0.0, half * half - dx * dx));
+        const float depth =
+            float(cut_.empty() ? z + rise : front(column + 0.5, row + 0.5, z - rise, z + rise));
         const std::size_t pixel = std::size_t(row) * width_ + column;
         const bool nearer = depth > depth_[pixel];
         depth_[pixel] = nearer ? depth : depth_[pixel];
@@ -39,18 +43,37 @@ class DepthImage {
   const std::vector<int>& owners() const { return owner_; }
 
  private:
+  // The front end of the part between two depths at a pixel that is left by the cut; minus infinity if none is.
+  double front(double x, double y, double back, double front) const {
+    for (const auto& [normal, offset] : cut_) {
+      const double rest = offset - normal[0] * x - normal[1] * y;
+      if (std::abs(normal[2]) < 1e-9) {
+        if (rest > 0) return -std::numeric_limits<double>::infinity();
+      } else {
+        double& end = normal[2] > 0 ? back : front;
+        end = normal[2] > 0 ? std::max(back, rest / normal[2]) : std::min(front, rest / normal[2]);
+      }
+    }
+    return back < front ? front : -std::numeric_limits<double>::infinity();
+  }
+
   int width_;
   int height_;
+  std::vector<HalfSpace> cut_;
   std::vector<float> depth_;
   std::vector<int> owner_;
 };
 
 }  // namespace
 
-std::vector<std::size_t> visible_spheres(const Frame& frame, const SceneCamera& camera, int width,
-                                         int height) {
-  DepthImage image(width, height);
+std::vector<std::size_t> visible_spheres(const Frame& frame, const SceneCamera& camera, int width, int height,
+                                         const std::vector<HalfSpace>& cut) {
   const double pixels_per_metre = height / (2 * camera.half_height);
+  std::vector<HalfSpace> cut_in_pixels;
+  for (const auto& [normal, offset] : cut)
+    cut_in_pixels.push_back(
+        {normal, pixels_per_metre * offset + normal[0] * width / 2.0 + normal[1] * height / 2.0});
+  DepthImage image(width, height, std::move(cut_in_pixels));
   for (std::size_t k = 0; k < frame.particle_count(); ++k) {
     const double* position = frame.position.data() + 3 * k;
     const Point offset = moved({position[0], position[1], position[2]}, -1, camera.center);

@@ -1,14 +1,14 @@
 #pragma once
 
-#include "scene_camera.hpp"
+#include "half_space.hpp"
 
 #include <vector>
 
 namespace scree::pictures {
 
 // Indices of the particles visible in at least one pixel; in a dense packing these are few, and drawing only
-// them saves time. width, height: of the panel in drawn pixels.
-std::vector<std::size_t> visible_spheres(const Frame& frame, const SceneCamera& camera, int width,
-                                         int height);
+// them saves time. width, height: of the panel in drawn pixels; cut: what is drawn, as seen().
+std::vector<std::size_t> visible_spheres(const Frame& frame, const SceneCamera& camera, int width, int height,
+                                         const std::vector<HalfSpace>& cut = {});
 
 }  // namespace scree::pictures

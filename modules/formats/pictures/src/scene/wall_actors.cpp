@@ -1,6 +1,7 @@
 #include "wall_actors.hpp"
 
 #include "flat_actor.hpp"
+#include "half_space.hpp"
 
 #include <cmath>
 #include <vector>
@@ -13,23 +14,6 @@
 
 namespace scree::pictures {
 namespace {
-
-// Sutherland-Hodgman step: the part of a convex polygon where normal . x >= offset.
-std::vector<Point> clipped(const std::vector<Point>& polygon, const Point& normal, double offset) {
-  std::vector<Point> kept;
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const Point& a = polygon[k];
-    const Point& b = polygon[(k + 1) % polygon.size()];
-    const double height_a = dot(normal, a) - offset;
-    const double height_b = dot(normal, b) - offset;
-    if (height_a >= 0) kept.push_back(a);
-    if ((height_a < 0) == (height_b < 0)) continue;
-    const double fraction = height_a / (height_a - height_b);
-    kept.push_back(
-        {std::lerp(a[0], b[0], fraction), std::lerp(a[1], b[1], fraction), std::lerp(a[2], b[2], fraction)});
-  }
-  return kept;
-}
 
 // Part of the plane around the box, larger than the box.
 std::vector<Point> wide_patch(const Wall& wall, const SceneBox& box, int dimension) {
@@ -57,14 +41,14 @@ std::vector<Point> wall_outline(const Frame& frame, std::size_t index, const Sce
   for (int k = 0; k < frame.dimension; ++k) {
     Point axis{};
     axis[k] = 1;
-    outline = clipped(outline, axis, box.lower[k] - slack);
+    outline = clipped(outline, {axis, box.lower[k] - slack});
     axis[k] = -1;
-    outline = clipped(outline, axis, -box.upper[k] - slack);
+    outline = clipped(outline, {axis, -box.upper[k] - slack});
   }
   for (std::size_t other = 0; other < frame.walls.size(); ++other)
     if (other != index)
-      outline = clipped(outline, frame.walls[other].normal,
-                        dot(frame.walls[other].normal, frame.walls[other].point) - slack);
+      outline = clipped(outline, {frame.walls[other].normal,
+                                  dot(frame.walls[other].normal, frame.walls[other].point) - slack});
   return outline;
 }
 

@@ -20,6 +20,9 @@ void check_equal(const Frame& a, const Frame& b) {
   CHECK(a.velocity == b.velocity);
   CHECK(a.spin == b.spin);
   CHECK(a.force == b.force);
+  CHECK(a.displacement == b.displacement);
+  CHECK(a.group == b.group);
+  CHECK(a.groups == b.groups);
   CHECK(a.contact_from == b.contact_from);
   CHECK(a.contact_to == b.contact_to);
   CHECK(a.contact_normal_force == b.contact_normal_force);
@@ -78,7 +81,9 @@ TEST_CASE("columns that a scene lacks are omitted from the file", "[snapshot]") 
   frame.dimension = 2;
   frame.spin.clear();
   frame.material.clear();
+  frame.displacement.clear(), frame.group.clear(), frame.groups.clear();
   backend().write_frame(frame, directory.path());
   check_equal(frame, backend().read_frame(directory / particles_file));
-  CHECK_THAT(read_text(directory / particles_file), !Contains("\"spin\"") && Contains("\"velocity\""));
+  CHECK_THAT(read_text(directory / particles_file), !Contains("\"spin\"") && !Contains("\"displacement\"") &&
+                                                        !Contains("group") && Contains("\"velocity\""));
 }

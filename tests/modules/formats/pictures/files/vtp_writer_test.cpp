@@ -9,8 +9,8 @@ TEST_CASE("files contain the names of the arrays and binary data", "[snapshot]")
   const ScratchDirectory directory;
   backend().write_frame(sample_frame(), directory.path());
   const std::string particles = read_text(directory / particles_file);
-  for (const char* name :
-       {"id", "material", "radius", "velocity", "spin", "coordination", "force", "stress", "TimeValue"})
+  for (const char* name : {"id", "material", "radius", "velocity", "spin", "coordination", "force", "stress",
+                           "displacement", "group", "group_name", "TimeValue"})
     CHECK_THAT(particles, Contains("Name=\"" + std::string(name) + "\""));
   CHECK_THAT(particles, Contains("type=\"PolyData\"") && Contains("encoding=\"base64\""));
   const std::string contacts = read_text(directory / "contacts_0123456789.vtp");

@@ -85,3 +85,42 @@ TEST_CASE("two radii or materials have a legend, many values a bar", "[pictures]
   CHECK(velocity.values == std::vector<double>{0, 3});
   CHECK(velocity.distinct.empty());
 }
+
+TEST_CASE("displacements are shown by length and by component", "[pictures]") {
+  Frame frame = pair({0.2, 0.2, 0}, {0.8, 0.8, 0}, 2);
+  RenderOptions options;
+  options.color_by = "displacement";
+  CHECK_THAT(
+      error_of([&] { color_field(frame, options); }),
+      Contains("these snapshots have no displacement; run the scene with color_by = \"displacement\""));
+  frame.displacement = {0.003, -0.004, 0, 0, 0.001, 0};
+  const ColorField length = color_field(frame, options);
+  CHECK(length.title == "displacement (mm)");
+  CHECK(length.values[0] == Approx(5));
+  CHECK(length.values[1] == Approx(1));
+  options.color_by = "displacement_y";
+  CHECK(color_field(frame, options).values[0] == Approx(-4));
+}
+
+TEST_CASE("groups have a colour each and a legend, and bodies in none are grey", "[pictures]") {
+  Frame frame = pair({0.2, 0.2, 0}, {0.8, 0.8, 0}, 2);
+  RenderOptions options;
+  options.color_by = "group";
+  CHECK_THAT(error_of([&] { color_field(frame, options); }), Contains("these snapshots have no group; "));
+  frame.groups = {"floor", "lid"};
+  frame.group = {1, -1};
+  options.color_range = {3, 4};  // that of other quantities has no meaning here
+  const ColorField groups = color_field(frame, options);
+  CHECK(groups.color(0) == group_colors[1]);
+  CHECK(groups.color(1) == Rgb{160, 160, 160});
+  const std::vector<ColorField::Entry> legend = groups.legend();
+  REQUIRE(legend.size() == 3);
+  CHECK(legend[0].color == group_colors[0]);
+  CHECK(legend[0].label == "floor");
+  CHECK(legend[1].label == "lid");
+  CHECK(legend[2].label == "in no group");
+  frame.group = {1, 0};
+  CHECK(color_field(frame, options).legend().size() == 2);
+  frame.group = {2, 0};
+  CHECK_THAT(error_of([&] { color_field(frame, options); }), Contains("a group that has no name"));
+}

@@ -6,32 +6,53 @@
 
 using namespace scree::pictures;
 
-TEST_CASE("a cut leaves the bodies in its range with their columns, and contacts between them",
-          "[pictures]") {
+namespace {
+
+Frame cut_along_x(const Frame& frame, double low, double high, ColorField& field) {
+  return cut_frame(frame, half_spaces({std::array{low, high}, {}, {}}), field);
+}
+
+}  // namespace
+
+TEST_CASE("a cut leaves the bodies that reach into its range, with their columns", "[pictures]") {
   const Frame frame = sample_frame();
-  // Every body, and then those whose x is above 0.
-  CHECK(cut_frame(frame, {std::array{-2.0, 2.0}, {}, {}}).id == frame.id);
-  const Frame half = cut_frame(frame, {std::array{0.0, 2.0}, {}, {}});
+  RenderOptions options;
+  options.color_by = "id";
+  const ColorField field = color_field(frame, options);
+  ColorField of_all = field, of_half = field;
+  CHECK(cut_along_x(frame, -2, 2, of_all).id == frame.id);
+  const double low = frame.position[6] + 0.5 * frame.radius[2];  // this body is cut
+  const Frame half = cut_along_x(frame, low, 2, of_half);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < frame.particle_count(); ++i) {
-    if (frame.position[3 * i] < 0) continue;
+    if (frame.position[3 * i] + frame.radius[i] <= low) continue;
     REQUIRE(kept < half.particle_count());
     CHECK(half.id[kept] == frame.id[i]);
+    CHECK(of_half.values[kept] == field.values[i]);
     CHECK(half.radius[kept] == frame.radius[i]);
     CHECK(half.velocity[3 * kept + 1] == frame.velocity[3 * i + 1]);
     CHECK(half.material[kept] == frame.material[i]);
+    CHECK(half.displacement[3 * kept + 2] == frame.displacement[3 * i + 2]);
+    CHECK(half.group[kept] == frame.group[i]);
     ++kept;
   }
   CHECK(kept == half.particle_count());
   CHECK(kept < frame.particle_count());
-  std::size_t contacts = 0;
-  for (std::size_t c = 0; c < frame.contact_count(); ++c)
-    contacts += frame.contact_from[3 * c] >= 0 && frame.contact_to[3 * c] >= 0;
-  CHECK(half.contact_count() == contacts);
-  CHECK(half.contact_force.size() == 3 * contacts);
   CHECK(half.walls.size() == 2);
-  CHECK_THAT(error_of([&] {
-               cut_frame(frame, {std::array{7.0, 8.0}, {}, {}});
-             }),
+  ColorField none = field;
+  CHECK_THAT(error_of([&] { cut_along_x(frame, 7, 8, none); }),
              Catch::Contains("none of 7 bodies lies there"));
+}
+
+TEST_CASE("bars of contacts end where a cut does", "[pictures]") {
+  Frame frame = sample_frame();
+  frame.contact_from = {0, 0, 0, -1, 0, 0, -1, 0, 0, 0.5, 0, 0};
+  frame.contact_to = {1, 2, 0, -0.5, 0, 0, 1, 0, 4, 0.5, 1, 0};
+  ColorField field = color_field(frame, {});
+  const Frame part = cut_along_x(frame, 0, 0.5, field);
+  // The second lies outside, the third goes through both ends.
+  CHECK(part.contact_from == std::vector<double>{0, 0, 0, 0, 0, 2, 0.5, 0, 0});
+  CHECK(part.contact_to == std::vector<double>{0.5, 1, 0, 0.5, 0, 3, 0.5, 1, 0});
+  CHECK(part.contact_force.size() == 9);
+  CHECK(part.contact_a == std::vector<std::int64_t>{frame.id[0], frame.id[2], frame.id[3]});
 }

@@ -2,11 +2,24 @@
 
 #include <functional>
 #include <limits>
+#include <set>
 
 #include <catch2/catch.hpp>
 
 using namespace scree::pictures;
 using Catch::Contains;
+
+namespace {
+
+// One body in the middle of the unit box.
+Frame single(int dimension) {
+  Frame frame = pair({0.5, 0.5, dimension == 3 ? 0.5 : 0.0}, {}, dimension);
+  frame.id.pop_back(), frame.radius.pop_back();
+  frame.position.resize(3), frame.velocity.resize(3);
+  return frame;
+}
+
+}  // namespace
 
 TEST_CASE("frames without particles or with equal ones are drawn", "[snapshot]") {
   const auto is_ink = [](const Rgb& c) { return c[0] < 250; };
@@ -81,4 +94,47 @@ TEST_CASE("the frame can follow the bodies, cut the scene and look along any dir
   options.color_range = {0.0, 5.0};
   CHECK(find_blob(draw(frame, options), is_violet).pixels == 0);
   CHECK(find_blob(draw(frame, options), is_yellow).pixels > 100);
+}
+
+// A plane at the distance d from the centre of a sphere leaves a disc of radius sqrt(R^2 - d^2). Seen from the
+// side that was cut off, nothing else is left if d is towards the other side; from behind, the whole circle is.
+TEST_CASE("bodies are cut at a plane and closed there", "[snapshot]") {
+  const Frame frame = single(3);
+  const auto shown = [&](int axis, double low, double high, double towards) {
+    RenderOptions options = by_speed("");
+    options.direction = std::array{0.0, 0.0, 0.0};
+    (*options.direction)[std::size_t(axis)] = towards;
+    options.cut[std::size_t(axis)] = {low, high};
+    return find_blob(draw(frame, options), [](const Rgb& c) { return c[0] < 250 && c[1] < 250; }).pixels;
+  };
+  const double whole = shown(2, 0, 1, 1);
+  // 0.6 of the radius: 1 - 0.6^2 of the area. The circle has a rim of 150 pixels length.
+  CHECK(shown(0, 0, 0.44, 1) == Approx(0.64 * whole).margin(50));
+  CHECK(shown(2, 0.56, 1, -1) == Approx(0.64 * whole).margin(50));
+  CHECK(shown(2, 0.44, 1, 1) == Approx(whole).margin(50));
+  // From the side: the circle without a segment of 0.4 R height, acos(0.6) - 0.6 * 0.8 over pi.
+  RenderOptions options = by_speed("z");
+  options.cut[0] = {0.44, 1};
+  const auto is_ink = [](const Rgb& c) { return c[0] < 250 && c[1] < 250; };
+  const double segment = (std::acos(0.6) - 0.48) / 3.14159265;
+  CHECK(find_blob(draw(frame, options), is_ink).pixels == Approx((1 - segment) * whole).margin(50));
+  // In 2D the same of a disc, which has a rim around it.
+  const double whole_disc = find_blob(draw(single(2), by_speed("")), is_ink).pixels;
+  CHECK(find_blob(draw(single(2), options), is_ink).pixels == Approx((1 - segment) * whole_disc).margin(50));
+}
+
+TEST_CASE("a face of a cut is flat, and its edge dark", "[snapshot]") {
+  const Frame frame = single(3);
+  RenderOptions options = by_speed("z");
+  options.color_range = {0, 5};
+  const auto colors = [&] {
+    std::set<Rgb> all;
+    const Picture picture = draw(frame, options);
+    const Blob blob = find_blob(picture, [](const Rgb& c) { return c[2] < 250; });
+    for (int k = -30; k <= 30; ++k) all.insert(picture.at(int(blob.x) + k, int(blob.y)));
+    return all;
+  };
+  CHECK(colors().size() > 10);
+  options.cut[2] = {0, 0.5};
+  CHECK(colors().size() == 1);
 }

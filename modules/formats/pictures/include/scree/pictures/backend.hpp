@@ -10,7 +10,7 @@
 namespace scree::pictures {
 
 // Incremented when this interface or a struct in it changes; loader and library must have the same version.
-inline constexpr int backend_version = 6;
+inline constexpr int backend_version = 7;
 
 // Reads and writes frames and draws pictures. Not thread-safe. The directory of a file is created, but none
 // above; a file gets its final name only when it is complete. Every function throws scree::Error with path

@@ -32,6 +32,9 @@ struct Frame {
   std::vector<double> velocity;            // (m/s) (3N)
   std::vector<double> spin;                // (rad/s) (3N)
   std::vector<double> force;               // (N) (3N) resultant
+  std::vector<double> displacement;        // (m) (3N) since t = 0, without jumps at periodic faces
+  std::vector<std::int32_t> group;         // index into groups; -1 in none
+  std::vector<std::string> groups;         // names
 
   // A contact is a line between two centres, or between a centre and its projection onto a wall.
   std::vector<double> contact_from;              // (m) (3C)

@@ -7,9 +7,23 @@
 
 namespace scree::pictures {
 
-inline constexpr std::array<std::string_view, 12> color_fields = {
-    "radius",       "speed",    "velocity_x",    "velocity_y", "velocity_z", "spin",
-    "coordination", "pressure", "largest_force", "net_force",  "material",   "id"};
+inline constexpr std::array<std::string_view, 17> color_fields = {"radius",
+                                                                  "speed",
+                                                                  "velocity_x",
+                                                                  "velocity_y",
+                                                                  "velocity_z",
+                                                                  "displacement",
+                                                                  "displacement_x",
+                                                                  "displacement_y",
+                                                                  "displacement_z",
+                                                                  "spin",
+                                                                  "coordination",
+                                                                  "pressure",
+                                                                  "largest_force",
+                                                                  "net_force",
+                                                                  "material",
+                                                                  "group",
+                                                                  "id"};
 inline constexpr std::array<std::string_view, 4> view_names = {"iso", "x", "y", "z"};
 
 // Options for drawing a frame.
@@ -26,7 +40,7 @@ struct RenderOptions {
   bool show_title = true, show_time = true;
   bool scale_bar = false;
   bool follow_bodies = false;  // the frame holds the bodies, and walls as far as they are in it
-  // (m) only bodies whose centre lies between these ends along each axis, and their contacts.
+  // (m) only what lies between these ends along each axis; bodies are cut and closed there.
   std::array<std::optional<std::array<double, 2>>, 3> cut{};
   std::optional<std::array<double, 2>> color_range{};  // (SI unit of the field); absent: range in this frame
   double time_spacing =
