@@ -8,8 +8,8 @@ scree_packages=(
   nlohmann-json3-dev libhdf5-dev libfftw3-dev libeigen3-dev libmetis-dev libsuitesparse-dev
   libcairo2-dev fonts-dejavu-core catch2
 )
-# An oracle of tests, and what the Python package reads with; tests do without them where they are missing.
-test_packages=(libmumps-seq-dev python3-h5py python3-pandas)
+# An oracle of tests, what the Python package reads with, and what makes films; tests do without them where they are missing.
+test_packages=(libmumps-seq-dev python3-h5py python3-pandas ffmpeg)
 # Not for the preset no-pictures.
 picture_packages=(libosmesa6-dev libvtk9-dev)
 

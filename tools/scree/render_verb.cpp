@@ -1,7 +1,5 @@
-#include "movie.hpp"
 #include "program_verbs.hpp"
 #include "snapshot_files.hpp"
-#include "temporary_file.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +8,9 @@
 
 #include <fmt/format.h>
 
+#include <scree/files/temporary_file.hpp>
 #include <scree/files/text_file.hpp>
+#include <scree/pictures/film.hpp>
 #include <scree/pictures/load_backend.hpp>
 #include <scree/pictures/view_range.hpp>
 #include <scree/run/written_files.hpp>
@@ -161,7 +161,7 @@ class Pictures {
     const fs::path picture = out_ / picture_name(file);
     // A run that goes on meanwhile removes what is listed after its state, so that it is listed only when it
     // is there.
-    std::optional<TemporaryFile> drawn;
+    std::optional<files::TemporaryFile> drawn;
     if (list_) drawn.emplace();
     backend.render(frame, options, drawn ? fs::path(drawn->path) : picture);
     if (list_) list_->put(listed(file), files::read_text(drawn->path));
@@ -176,13 +176,23 @@ class Pictures {
   std::optional<run::WrittenFiles> list_;
 };
 
+// Throws Error unless the movie can be made.
+void check_movie(const RenderArguments& arguments) {
+  check_replaced(arguments.movie, arguments.overwrite, "is there already; give another name, or --overwrite");
+  const fs::path folder = fs::absolute(arguments.movie).parent_path();
+  if (std::error_code failed; !fs::is_directory(folder, failed))
+    throw Error(
+        fmt::format("--movie {}: there is no folder {}; create it", arguments.movie, folder.string()));
+  if (!pictures::has_ffmpeg())
+    throw Error(
+        fmt::format("--movie: {}; install it (apt install ffmpeg), or leave --movie out and join the "
+                    "pictures elsewhere",
+                    pictures::no_ffmpeg));
+}
+
 ExitStatus render(const RenderArguments& arguments) {
   pictures::RenderOptions options = options_of(arguments);
-  if (!arguments.movie.empty()) {
-    check_replaced(arguments.movie, arguments.overwrite,
-                   "is there already; give another name, or --overwrite");
-    require_ffmpeg(arguments.movie);
-  }
+  if (!arguments.movie.empty()) check_movie(arguments);
   const auto backend = pictures::load_backend();
   const std::vector<fs::path> frames = snapshot_files(arguments.source);
   Pictures places(arguments);
@@ -190,16 +200,16 @@ ExitStatus render(const RenderArguments& arguments) {
   const Common common = common_of(frames, options.color_by, *backend);
   if (!options.color_range) options.color_range = common.view.colors();
   options.time_spacing = common.spacing();
-  std::vector<fs::path> pictures;
+  std::vector<fs::path> drawn;
   places.create_folder();
   for (const fs::path& file : frames) {
     pictures::Frame frame = backend->read_frame(file);
     frame.lower = common.view.lower(), frame.upper = common.view.upper();
-    pictures.push_back(places.draw(file, frame, options, *backend));
-    fmt::print("{}\n", pictures.back().string());
+    drawn.push_back(places.draw(file, frame, options, *backend));
+    fmt::print("{}\n", drawn.back().string());
   }
   if (arguments.movie.empty()) return ExitStatus::success;
-  write_movie(pictures, arguments.frames_per_second, arguments.movie);
+  pictures::write_film(drawn, arguments.frames_per_second, arguments.movie);
   fmt::print("{}\n", arguments.movie);
   return ExitStatus::success;
 }
@@ -229,6 +239,7 @@ void add_render_verb(CommandLine& line) {
       .shown_as("AXIS=LOW,HIGH");
   verb.flag("--follow-bodies", a->options.follow_bodies,
             "The frame holds the bodies of each picture, not all walls");
+  verb.flag("--shadows", a->options.shadows, "Darken the hollows between bodies, in 3D");
   verb.flag("--scale-bar", a->options.scale_bar, "Draw a bar of a round length");
   verb.flag("--no-title", a->no_title, "Write no title");
   verb.flag("--no-time", a->no_time, "Write no time");

@@ -64,6 +64,7 @@ void print_places(const std::filesystem::path& directory, bool quiet) {
         {"series", "time series (CSV)"},
         {"snapshots", "ParaView files (.vtp, .pvd)"},
         {"images", "pictures (PNG)"},
+        {"film.mp4", "the pictures as a film"},
         {"charts", "charts"},
         {"final_packing.csv", "bodies at the end, for the key file of [particles]"},
         {"final_state.h5", "the whole state at the end"},

@@ -75,6 +75,10 @@ struct SnapshotKeys : TableKeys {
   BooleanKey h5md = boolean("h5md", false, "the bodies of the same times in one file too, trajectory.h5md");
   Key image_every = other("image_every", "number", Range::positive("s"), "default never",
                           "time between pictures, from the start of each stage; each stage ends with one");
+  BooleanKey film =
+      boolean("film", false, "join the pictures to film.mp4 at the end, with the program ffmpeg");
+  IntegerKey film_rate_hz =
+      integer("film_rate_hz", Range::between(1, 240, "Hz"), 25, "pictures per second of the film");
   ChoiceKey color_by =
       choice_or_first("color_by", {pictures::color_fields.begin(), pictures::color_fields.end()},
                       "quantity that colours bodies");
@@ -87,6 +91,7 @@ struct SnapshotKeys : TableKeys {
       other("contacts", "true, false or \"strong\"", Range::any(), "default false",
             "draw forces of contacts as tubes; strong: those above the mean alone, coloured by force");
   BooleanKey bodies = boolean("bodies", true, "draw the bodies");
+  BooleanKey shadows = boolean("shadows", false, "darken the hollows between bodies, in 3D");
   BooleanKey title = boolean("title", true, "write the title of the scene");
   BooleanKey time = boolean("time", true, "write the time");
   BooleanKey scale_bar = boolean("scale_bar", false, "draw a bar of a round length");

@@ -105,6 +105,10 @@ pictures::RenderOptions read_picture(const document::Table& t, int dimension) {
   if (picture.strong_contacts) t.choice(snapshot_keys.contacts, {"strong"}, "strong");
   picture.show_contacts = picture.strong_contacts || t.boolean(snapshot_keys.contacts, false);
   picture.show_bodies = read(t, snapshot_keys.bodies);
+  picture.shadows = read(t, snapshot_keys.shadows);
+  if (picture.shadows && dimension == 2)
+    throw t.error(snapshot_keys.shadows, "discs are flat and have no shadows",
+                  "remove it, or set scene.dimension = 3");
   picture.show_title = read(t, snapshot_keys.title);
   picture.show_time = read(t, snapshot_keys.time);
   picture.scale_bar = read(t, snapshot_keys.scale_bar);
@@ -128,6 +132,10 @@ SnapshotPlan read_snapshot(const document::Table& root, int dimension, double st
   if (plan.h5md && !plan.every)
     throw t->error(snapshot_keys.h5md, "a trajectory needs the time between its frames",
                    "give every = <s> too");
+  const int rate = int(read(*t, snapshot_keys.film_rate_hz));
+  if (read(*t, snapshot_keys.film)) plan.film_rate = rate;
+  if (plan.film_rate && !plan.image_every)
+    throw t->error(snapshot_keys.film, "a film needs pictures", "give image_every = <s> too");
   plan.picture = read_picture(*t, dimension);
   return plan;
 }

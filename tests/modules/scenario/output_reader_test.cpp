@@ -55,6 +55,7 @@ TEST_CASE("what a picture shows is read from [snapshot]", "[scenario]") {
   CHECK_THAT(refused("view = 'top'\n"), Catch::Contains("top"));
   CHECK_THAT(refused("view = [0, 0, 0]\n"), Catch::Contains("the direction has no length"));
   CHECK_THAT(refused("cut = { z = [0, 1] }\n"), Catch::Contains("a scene of two dimensions has no z"));
+  CHECK_THAT(refused("shadows = true\n"), Catch::Contains("discs are flat and have no shadows"));
   CHECK_THAT(refused("cut = { x = [1, 0] }\n"), Catch::Contains("1 is not below 0"));
   CHECK_THAT(refused("cut = { w = [1, 0] }\n"), Catch::Contains("unknown key 'w'"));
 }
@@ -70,4 +71,13 @@ TEST_CASE("pictures by group keep the bodies of all groups, and need one", "[sce
   CHECK(plan.scene.selections[0].bodies == std::vector<std::uint32_t>{0, 1, 2});
   CHECK(plan.scene.selections[1].bodies == std::vector<std::uint32_t>{2, 5, 8});
   CHECK_THAT(refusal(discs + colored), Catch::Contains("the scene has no groups; add [[group]]"));
+}
+
+TEST_CASE("a film is made of pictures, at a rate", "[scenario]") {
+  const auto film = [](const std::string& keys) { return discs + ("[snapshot]\n" + keys); };
+  CHECK_FALSE(plan_of(film("image_every = 1e-4\n")).snapshot.film_rate);
+  CHECK(plan_of(film("image_every = 1e-4\nfilm = true\n")).snapshot.film_rate == 25);
+  CHECK(plan_of(film("image_every = 1e-4\nfilm = true\nfilm_rate_hz = 10\n")).snapshot.film_rate == 10);
+  CHECK_THAT(refusal(film("every = 1e-4\nfilm = true\n")),
+             Catch::Contains("a film needs pictures; give image_every = <s> too"));
 }

@@ -6,6 +6,7 @@
 
 #include <scree/charts/draw_chart.hpp>
 #include <scree/error.hpp>
+#include <scree/pictures/film.hpp>
 #include <scree/pictures/frame_files.hpp>
 #include <scree/pictures/load_backend.hpp>
 #include <scree/scenario/charts.hpp>
@@ -80,6 +81,31 @@ void Pictures::write_image(const Simulation& s) {
   range_.add_colors(frame);
   if (!options.color_range) options.color_range = range_.colors();
   backend().render(frame, options, directory_.add(fmt::format("images/frame_{:010}.png", s.steps())));
+}
+
+std::vector<std::filesystem::path> Pictures::images() const {
+  std::vector<std::filesystem::path> all;
+  for (const auto& entry : std::filesystem::directory_iterator(directory_.path() / "images"))
+    if (directory_.written().contains("images/" + entry.path().filename().string()))
+      all.push_back(entry.path());
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+void Pictures::make_film(const std::function<void(const std::string&)>& report) {
+  if (!plan_.snapshot.film_rate) return;
+  constexpr const char* name = "film.mp4";
+  const std::string folder = directory_.path().string();
+  try {
+    if (!pictures::has_ffmpeg())
+      throw Error(
+          fmt::format("{0}; apt install ffmpeg, then ffmpeg -framerate {1} -pattern_type glob -i "
+                      "'{2}/images/frame_*.png' -vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' -pix_fmt yuv420p {2}/{3}",
+                      pictures::no_ffmpeg, *plan_.snapshot.film_rate, folder, name));
+    pictures::write_film(images(), *plan_.snapshot.film_rate, directory_.add(name));
+  } catch (const std::exception& error) {
+    report(fmt::format("{} was not made: {}", name, error.what()));
+  }
 }
 
 void Pictures::draw(const scenario::ChartPlan& plan, const Sampler& sampler) {

@@ -34,11 +34,15 @@ class Pictures {
   void cut();
   // Writes the final state, if the plan has snapshots or images.
   void take_last(const Simulation& simulation);
+  // Joins all pictures of the run, those before it went on too, if the plan has a film; what prevents it is
+  // reported.
+  void make_film(const std::function<void(const std::string&)>& report);
   // Draws the charts; one that cannot be drawn is reported and skipped.
   void draw_charts(const Sampler& sampler, const std::function<void(const std::string&)>& report);
 
  private:
   void write_snapshot(const Simulation& simulation);
+  std::vector<std::filesystem::path> images() const;
   void write_image(const Simulation& simulation);
   void draw(const scenario::ChartPlan& chart, const Sampler& sampler);
   pictures::SnapshotBackend& backend();

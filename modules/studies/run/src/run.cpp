@@ -142,8 +142,10 @@ void Run::write_results(bool complete) {
   sampler_.flush();
   pictures_.take_last(*simulation_);
   write_final_packing(*simulation_, session_.directory().add(final_packing));
-  pictures_.draw_charts(sampler_, [this](const std::string& line) { session_.warn(line); });
+  const auto warn = [this](const std::string& line) { session_.warn(line); };
+  pictures_.draw_charts(sampler_, warn);
   if (!complete) return;
+  pictures_.make_film(warn);
   results_.judge(sampler_);
   for (const std::string& warning : sampler_.unfilled()) session_.warn(warning);
 }

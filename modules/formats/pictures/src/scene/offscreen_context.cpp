@@ -1,12 +1,17 @@
 #include "offscreen_context.hpp"
 
+#include "ambient_occlusion.hpp"
+
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <thread>
 
 #include <GL/osmesa.h>
 #include <fmt/format.h>
+#include <vtkFloatArray.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
 #include <vtkRenderer.h>
@@ -35,6 +40,30 @@ Picture average_down(const std::uint8_t* rgb, int width, int height, int scale) 
     for (std::size_t k = 0; k < sums.size(); ++k) out[k] = std::uint8_t((sums[k] + pixels / 2) / pixels);
   }
   return picture;
+}
+
+// rgb: of rows of `row_width` pixels; depths: 0 to 1, of the rows of the hollows.
+void darken(std::uint8_t* rgb, int row_width, const Hollows& hollows, const float* depths) {
+  DepthField field = {hollows.width, hollows.height};
+  for (std::size_t k = 0; k < std::size_t(hollows.width) * std::size_t(hollows.height); ++k)
+    field.depth.push_back(depths[k] < 1 ? float(-hollows.depth_range * depths[k])
+                                        : -std::numeric_limits<float>::infinity());
+  // Above 1, for a difference that is seen.
+  constexpr float contrast = 1.5f;
+  const std::vector<float> shares = open_shares(field, hollows.radius);
+  for (int row = 0; row < hollows.height; ++row)
+    for (int column = 0; column < hollows.width; ++column) {
+      const float share =
+          std::pow(shares[std::size_t(row) * std::size_t(hollows.width) + std::size_t(column)], contrast);
+      std::uint8_t* const pixel = rgb + 3 * (std::size_t(hollows.bottom + row) * std::size_t(row_width) +
+                                             std::size_t(hollows.left + column));
+      for (int k = 0; k < 3; ++k) pixel[k] = std::uint8_t(std::lround(share * float(pixel[k])));
+    }
+}
+
+// What is dark in either picture is dark.
+void multiply(std::uint8_t* picture, const std::uint8_t* other, std::size_t values) {
+  for (std::size_t k = 0; k < values; ++k) picture[k] = std::uint8_t((picture[k] * other[k] + 127) / 255);
 }
 
 // Mesa starts a thread per processor and waits for ever for one that did not start; told so, it draws in this
@@ -112,7 +141,7 @@ struct OffscreenContext::Window {
 OffscreenContext::OffscreenContext() = default;
 OffscreenContext::~OffscreenContext() = default;
 
-Picture OffscreenContext::draw(int width, int height, const std::vector<vtkRenderer*>& renderers) {
+void OffscreenContext::render(int width, int height, const std::vector<vtkRenderer*>& renderers) {
   if (!window_) window_ = std::make_unique<Window>();
   window_->make_current();
   vtkGenericOpenGLRenderWindow* vtk = window_->vtk;
@@ -124,12 +153,40 @@ Picture OffscreenContext::draw(int width, int height, const std::vector<vtkRende
     vtk->AddRenderer(renderers[layer]);
   }
   vtk->Render();
-  vtkNew<vtkUnsignedCharArray> pixels;
+}
+
+vtkNew<vtkUnsignedCharArray> OffscreenContext::pixels(int width, int height) {
+  const int scale = supersampling(width, height);
+  vtkNew<vtkUnsignedCharArray> all;
   const int front = 1;
   const int right_eye = 0;
-  vtk->GetPixelData(0, 0, width * scale - 1, height * scale - 1, front, pixels, right_eye);
-  for (vtkRenderer* renderer : renderers) vtk->RemoveRenderer(renderer);
-  return average_down(pixels->GetPointer(0), width, height, scale);
+  window_->vtk->GetPixelData(0, 0, width * scale - 1, height * scale - 1, front, all, right_eye);
+  return all;
+}
+
+Picture OffscreenContext::draw(int width, int height, const std::vector<vtkRenderer*>& renderers) {
+  render(width, height, renderers);
+  const vtkNew<vtkUnsignedCharArray> all = pixels(width, height);
+  for (vtkRenderer* renderer : renderers) window_->vtk->RemoveRenderer(renderer);
+  return average_down(all->GetPointer(0), width, height, supersampling(width, height));
+}
+
+Picture OffscreenContext::draw_with_shadows(int width, int height, const std::vector<vtkRenderer*>& scene,
+                                            const std::vector<vtkRenderer*>& overlay,
+                                            const Hollows& hollows) {
+  render(width, height, scene);
+  const vtkNew<vtkUnsignedCharArray> all = pixels(width, height);
+  vtkNew<vtkFloatArray> depths;
+  window_->vtk->GetZbufferData(hollows.left, hollows.bottom, hollows.left + hollows.width - 1,
+                               hollows.bottom + hollows.height - 1, depths);
+  for (vtkRenderer* renderer : scene) window_->vtk->RemoveRenderer(renderer);
+  const int scale = supersampling(width, height);
+  darken(all->GetPointer(0), width * scale, hollows, depths->GetPointer(0));
+  render(width, height, overlay);
+  const vtkNew<vtkUnsignedCharArray> above = pixels(width, height);
+  for (vtkRenderer* renderer : overlay) window_->vtk->RemoveRenderer(renderer);
+  multiply(all->GetPointer(0), above->GetPointer(0), std::size_t(all->GetNumberOfValues()));
+  return average_down(all->GetPointer(0), width, height, scale);
 }
 
 }  // namespace scree::pictures

@@ -3,6 +3,9 @@
 #include <memory>
 #include <vector>
 
+#include <vtkNew.h>
+#include <vtkUnsignedCharArray.h>
+
 #include <scree/pictures/picture.hpp>
 
 class vtkRenderer;
@@ -15,6 +18,13 @@ int supersampling(int width, int height);
 // Throws scree::Error unless both sides are 200 to 8000 pixels long.
 void check_size(int width, int height);
 
+// Where hollows are darkened: columns and rows of drawn pixels from the lower left.
+struct Hollows {
+  int left, bottom, width, height;
+  double depth_range;  // (pixels) from the nearest to the farthest depth that can be drawn
+  double radius;       // (pixels) of the ball in which hollows are looked for
+};
+
 // A software OpenGL context without a display, created for the first picture and reused.
 class OffscreenContext {
  public:
@@ -25,8 +35,13 @@ class OffscreenContext {
 
   // Draws the renderers, later ones on top, at `supersampling` times the size, and averages down.
   Picture draw(int width, int height, const std::vector<vtkRenderer*>& renderers);
+  // The same of a scene whose hollows are darkened, with an overlay on white, which is dark where it is drawn.
+  Picture draw_with_shadows(int width, int height, const std::vector<vtkRenderer*>& scene,
+                            const std::vector<vtkRenderer*>& overlay, const Hollows& hollows);
 
  private:
+  void render(int width, int height, const std::vector<vtkRenderer*>& renderers);
+  vtkNew<vtkUnsignedCharArray> pixels(int width, int height);
   struct Window;
   std::unique_ptr<Window> window_;
 };

@@ -48,6 +48,8 @@ struct SceneCamera {
   // aspect: width / height of the panel.
   static SceneCamera fitting(const SceneBox& box, const ViewAxes& axes, double aspect);
 
+  // Between the nearest and the farthest depth that is drawn (m).
+  double depth_range() const { return distance; }
   // Sets camera and lights of the renderer.
   void apply(vtkRenderer* renderer) const;
 };

@@ -10,6 +10,7 @@
 #include "sphere_visibility.hpp"
 #include "wall_actors.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -110,6 +111,20 @@ void add_bodies_with_arrows(vtkRenderer* renderer, const Frame& frame, const Arr
   add_arrows(renderer, frame, arrows, lengths);
 }
 
+// The ball has the mean size of the bodies, so that hollows between neighbours are dark.
+Hollows hollows_of(const Frame& frame, const SceneCamera& camera, const SceneLayout& layout) {
+  const double pixels_per_metre = layout.scene_height() / (2 * camera.half_height);
+  const double mean = frame.radius.empty() ? 0
+                                           : std::accumulate(frame.radius.begin(), frame.radius.end(), 0.0) /
+                                                 double(frame.particle_count());
+  return {.left = 0,
+          .bottom = int(std::lround(layout.note())),
+          .width = int(layout.scene_width()),
+          .height = int(layout.scene_height()),
+          .depth_range = pixels_per_metre * camera.depth_range(),
+          .radius = std::clamp(2 * pixels_per_metre * mean, 3.0, 200.0)};
+}
+
 // arrows: null without them.
 Picture picture_of(OffscreenContext& context, const Frame& whole, const ArrowField* arrows,
                    const RenderOptions& options) {
@@ -145,6 +160,9 @@ Picture picture_of(OffscreenContext& context, const Frame& whole, const ArrowFie
   if (arrows) panel->note = arrows->note;
   if (frame.particle_count() > 0 && options.show_bodies) panel->field = &field;
   add_panel(overlay, panel);
+  if (options.shadows && !arrows && frame.dimension == 3)
+    return context.draw_with_shadows(options.width, options.height, {background, scene},
+                                     {background, overlay}, hollows_of(frame, camera, layout));
   return context.draw(options.width, options.height, {background, scene, overlay});
 }
 

@@ -138,3 +138,26 @@ TEST_CASE("a face of a cut is flat, and its edge dark", "[snapshot]") {
   options.cut[2] = {0, 0.5};
   CHECK(colors().size() == 1);
 }
+
+TEST_CASE("shadows darken what lies between other bodies, and nothing else", "[snapshot]") {
+  Frame frame;
+  frame.position = {0.4, 0.4, 0.6, 0.6, 0.4, 0.6, 0.4, 0.6, 0.6, 0.6, 0.6, 0.6, 0.5, 0.5, 0.46};
+  frame.radius.assign(5, 0.1);
+  frame.id = {1, 2, 3, 4, 5};
+  frame.lower = {0, 0, 0}, frame.upper = {1, 1, 1};
+  RenderOptions options;
+  options.width = 800, options.height = 600;
+  options.view = "z";
+  options.scale_bar = true;
+  const Picture usual = draw(frame, options);
+  options.shadows = true;
+  const Picture shaded = draw(frame, options);
+  const Blob all = find_blob(usual, [](const Rgb& c) { return c[0] < 200; });
+  const auto brightness = [](const Rgb& c) { return c[0] + c[1] + c[2]; };
+  const int x = int(all.x), y = int(all.y);
+  CHECK(brightness(shaded.at(x, y)) < 0.8 * brightness(usual.at(x, y)));
+  CHECK(shaded.at(x - 70, y - 70) == usual.at(x - 70, y - 70));  // on a corner of the four
+  for (const int column : {20, 60, 700, 750})                    // scale bar, colour bar
+    for (int row = 0; row < usual.height; ++row)
+      if (shaded.at(column, row) != usual.at(column, row)) FAIL(column << ' ' << row);
+}

@@ -37,6 +37,7 @@ struct RenderOptions {
   bool strong_contacts = false;  // of these, the ones above the mean normal force alone, coloured by it
   bool show_bodies = true;
   bool show_walls = true;
+  bool shadows = false;  // in 3D hollows between bodies are darker
   bool show_title = true, show_time = true;
   bool scale_bar = false;
   bool follow_bodies = false;  // the frame holds the bodies, and walls as far as they are in it

@@ -1,7 +1,3 @@
-#include "movie.hpp"
-
-#include "temporary_file.hpp"
-
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -13,10 +9,12 @@
 
 #include <scree/child_process.hpp>
 #include <scree/error.hpp>
+#include <scree/files/temporary_file.hpp>
 #include <scree/files/text.hpp>
 #include <scree/files/text_file.hpp>
+#include <scree/pictures/film.hpp>
 
-namespace scree::tool {
+namespace scree::pictures {
 
 namespace fs = std::filesystem;
 
@@ -42,7 +40,7 @@ struct NumberedPictures {
 };
 
 // In a child process: becomes ffmpeg, whose messages go to a file.
-void become_ffmpeg(const std::string& folder, int frames_per_second, const std::string& movie, int log) {
+void become_ffmpeg(const std::string& folder, int frames_per_second, const std::string& film, int log) {
   dup2(log, STDOUT_FILENO);
   dup2(log, STDERR_FILENO);
   const std::string rate = std::to_string(frames_per_second);
@@ -60,7 +58,7 @@ void become_ffmpeg(const std::string& folder, int frames_per_second, const std::
                          "pad=ceil(iw/2)*2:ceil(ih/2)*2",
                          "-pix_fmt",
                          "yuv420p",
-                         movie.c_str(),
+                         film.c_str(),
                          nullptr};
   if (chdir(folder.c_str()) == 0) execvp(words[0], const_cast<char**>(words));
   throw Error(fmt::format("cannot be started, {}", std::strerror(errno)));
@@ -76,33 +74,28 @@ std::string last_line(const fs::path& log) {
 
 }  // namespace
 
-void require_ffmpeg(const fs::path& movie) {
-  std::error_code failed;
-  if (const fs::path folder = fs::absolute(movie).parent_path(); !fs::is_directory(folder, failed))
-    throw Error(fmt::format("--movie {}: there is no folder {}; create it", movie.string(), folder.string()));
+bool has_ffmpeg() {
   const char* path = std::getenv("PATH");
   std::istringstream folders(path ? path : "");
   for (std::string folder; std::getline(folders, folder, ':');)
-    if (access((folder + "/ffmpeg").c_str(), X_OK) == 0) return;
-  throw Error(
-      "--movie: the program ffmpeg is not on the PATH; install it (apt install ffmpeg), or leave --movie "
-      "out and join the pictures elsewhere");
+    if (access((folder + "/ffmpeg").c_str(), X_OK) == 0) return true;
+  return false;
 }
 
-void write_movie(const std::vector<fs::path>& pictures, int frames_per_second, const fs::path& movie) {
+void write_film(const std::vector<fs::path>& pictures, int frames_per_second, const fs::path& film) {
   const NumberedPictures numbered(pictures);
-  const TemporaryFile log;
-  const std::string target = fs::absolute(movie).string();
+  const files::TemporaryFile log;
+  const std::string target = fs::absolute(film).string();
   const ChildEnd end =
       in_child([&](const Send&) { become_ffmpeg(numbered.path, frames_per_second, target, log.descriptor); });
   if (end.how == ChildEnd::exited && end.number == 0) return;
   const std::string message = last_line(log.path);
   throw Error(fmt::format("{}: ffmpeg failed ({}); give a name that ends in .mp4 in a folder that exists",
-                          movie.string(),
+                          film.string(),
                           !message.empty()             ? message
                           : end.how == ChildEnd::threw ? end.exception
                                                        : end.text()),
               ExitStatus::failure);
 }
 
-}  // namespace scree::tool
+}  // namespace scree::pictures

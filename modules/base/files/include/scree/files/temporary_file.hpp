@@ -12,7 +12,7 @@
 
 #include <scree/error.hpp>
 
-namespace scree::tool {
+namespace scree::files {
 
 // A file in the folder of the system for such files, open for writing, and removed at the end of its scope.
 struct TemporaryFile {
@@ -33,4 +33,4 @@ struct TemporaryFile {
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 };
 
-}  // namespace scree::tool
+}  // namespace scree::files
