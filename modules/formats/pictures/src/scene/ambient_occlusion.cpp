@@ -18,8 +18,8 @@ constexpr std::size_t chords_per_pixel = 64;
 // Neighbours have other chords: a picture averages over them.
 constexpr int tile = 2;
 
-// Chords at points that fill a disc evenly, on a spiral of the golden angle, the same again on its other side, so
-// that a plane of any slope is open.
+// Chords at points that fill a disc evenly, on a spiral of the golden angle, and the same on its other
+// side, so that a plane of any slope is open.
 std::array<Chord, chords_per_pixel> chords_of(int turn, double radius) {
   constexpr double golden_angle = 2.399963229728653;
   constexpr std::size_t half = chords_per_pixel / 2;
@@ -36,8 +36,8 @@ std::array<Chord, chords_per_pixel> chords_of(int turn, double radius) {
   return chords;
 }
 
-// Part of the chord, from -1 to 1, by which bodies fill more than its far half. A step larger than the ball is
-// the edge of something before the surface, which leaves it open on the side of the viewer.
+// Length (pixels) by which bodies fill more of the chord than its far half. What stands far before the
+// surface has no hollow with it.
 float filled(float rise, const Chord& chord, float radius) {
   constexpr float far = 3;
   const float inside = std::clamp(rise, -chord.half, chord.half);

@@ -42,7 +42,7 @@ RawField raw_field(const Frame& frame, const std::string& name) {
                                   {"spin", "spin", "rad/s", false},
                                   {"coordination", "contacts", "", true},
                                   {"pressure", "pressure", "Pa", false},
-                                  {"largest_force", "largest contact force", "N", false},
+                                  {"largest_force", "largest force", "N", false},
                                   {"net_force", "net force", "N", false},
                                   {"id", "id", "", true},
                                   {"displacement", "displacement", "m", false},
@@ -69,7 +69,7 @@ AxisSpan value_range(const RawField& field) {
                              : charts::padded(range.lower, range.upper, 0);
 }
 
-// The values, if there are two to five of them.
+// The values, if there are up to five of them.
 std::vector<double> few_values(const std::vector<double>& values) {
   constexpr std::size_t most = 5;
   std::vector<double> distinct;
@@ -79,7 +79,7 @@ std::vector<double> few_values(const std::vector<double>& values) {
     if (distinct.size() > most || !std::isfinite(value)) return {};
   }
   std::sort(distinct.begin(), distinct.end());
-  return distinct.size() > 1 ? distinct : std::vector<double>();
+  return distinct;
 }
 
 std::array<std::uint8_t, 3> paled(std::array<std::uint8_t, 3> color, double paleness) {
@@ -162,8 +162,10 @@ ColorField color_field(const Frame& frame, const RenderOptions& options) {
       charts::scaled_unit(std::max(std::abs(range.lower), std::abs(range.upper)), raw.unit);
   for (double& value : raw.values) value *= unit.factor;
   const std::string title = unit.symbol.empty() ? raw.title : fmt::format("{} ({})", raw.title, unit.symbol);
-  const bool named = options.color_by == "radius" || options.color_by == "material";
-  std::vector<double> distinct = named ? few_values(raw.values) : std::vector<double>();
+  const bool materials = options.color_by == "material";
+  std::vector<double> distinct =
+      materials || options.color_by == "radius" ? few_values(raw.values) : std::vector<double>();
+  if (distinct.size() == 1 && !materials) distinct.clear();  // a bar has the range around a single radius
   return {title,
           std::move(raw.values),
           range.lower * unit.factor,

@@ -35,7 +35,7 @@ class OffscreenContext {
 
   // Draws the renderers, later ones on top, at `supersampling` times the size, and averages down.
   Picture draw(int width, int height, const std::vector<vtkRenderer*>& renderers);
-  // The same of a scene whose hollows are darkened, with an overlay on white, which is dark where it is drawn.
+  // The same of a scene whose hollows are darkened, with an overlay that is dark on white.
   Picture draw_with_shadows(int width, int height, const std::vector<vtkRenderer*>& scene,
                             const std::vector<vtkRenderer*>& overlay, const Hollows& hollows);
 

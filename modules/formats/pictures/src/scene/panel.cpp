@@ -30,10 +30,10 @@ void draw_line(vtkContext2D* painter, double x0, double y0, double x1, double y1
 
 }  // namespace
 
-SceneLayout SceneLayout::of_size(int width, int height) {
+SceneLayout SceneLayout::of_size(int width, int height, bool scale_bar) {
   const int scale = supersampling(width, height);
   const double font = std::max(16.0, 21 * std::min(width / 1200.0, height / 900.0));
-  return {width * scale, height * scale, scale, font * scale};
+  return {width * scale, height * scale, scale, font * scale, scale_bar ? 2.2 * font * scale : 0};
 }
 
 vtkStandardNewMacro(Panel)
@@ -53,7 +53,7 @@ void Panel::paint_caption(vtkContext2D* painter) const {
   draw_text(painter, layout.font, y, title, {1.2 * layout.font, Align::left, true},
             layout.width - time_room - 3 * layout.font);
   draw_text(painter, layout.width - layout.font, y, time, {layout.font, Align::right}, time_room);
-  draw_text(painter, layout.font, 0.6 * layout.note(), note, {0.9 * layout.font},
+  draw_text(painter, layout.font, 0.6 * (layout.note() - layout.scale_strip), note, {0.9 * layout.font},
             layout.scene_width() - layout.font);
 }
 
@@ -98,7 +98,7 @@ void Panel::paint_legend(vtkContext2D* painter, const std::vector<ColorField::En
 
 void Panel::paint_scale_bar(vtkContext2D* painter) const {
   const double font = layout.font, length = scale_bar * pixels_per_metre;
-  const double left = font, y = layout.note() + 0.8 * font;
+  const double left = font, y = layout.note() - layout.scale_strip + 0.4 * font;
   set_pen(painter, 2.5 * layout.pixel_scale);
   draw_line(painter, left, y, left + length, y);
   for (const double x : {left, left + length}) draw_line(painter, x, y - 0.3 * font, x, y + 0.3 * font);

@@ -17,10 +17,12 @@ struct SceneLayout {
   int pixel_scale;  // drawn pixels per pixel of the picture
   double font;      // height of the labels
 
-  static SceneLayout of_size(int width, int height);
+  double scale_strip;  // height of the strip of the scale bar, above the note
+
+  static SceneLayout of_size(int width, int height, bool scale_bar);
   double side() const { return 8.5 * font; }
   double caption() const { return 2.8 * font; }
-  double note() const { return 2.0 * font; }
+  double note() const { return 2.0 * font + scale_strip; }
   double scene_width() const { return width - side(); }
   double scene_height() const { return height - caption() - note(); }
 };

@@ -46,8 +46,8 @@ void insert_polygon(vtkPoints* points, vtkCellArray* cells, const std::vector<Po
   for (int k = 0; k < count + closed; ++k) cells->InsertCellPoint(first + k % count);
 }
 
-// Fragment shader, between the point where a ray along -z meets a sphere and its depth: the ray is shortened to
-// the part in the half-spaces. A face has the normal of its plane and a dark edge.
+// Fragment shader, between the point where a ray along -z meets a sphere and its depth: the ray is shortened
+// to the part in the half-spaces. A face has the normal of its plane and a dark edge.
 std::string shortened_ray(const SphereCut& cut) {
   std::string code =
       "  float shade_of_cut = 1.0, front = vertexVC.z, back = 2.0 * centerVCVSOutput.z - vertexVC.z;\n"

@@ -19,8 +19,8 @@ struct SphereCut {
 void add_spheres(vtkRenderer* renderer, const Frame& frame, const ColorField& field,
                  const std::vector<std::size_t>& particles, double scale, const SphereCut& cut = {});
 
-// Adds all particles as flat outlined discs, of which the parts in the half-spaces are drawn. pixel_scale: drawn
-// pixels per pixel of the picture.
+// Adds all particles as flat outlined discs, of which the parts in the half-spaces are drawn. pixel_scale:
+// drawn pixels per pixel of the picture.
 void add_discs(vtkRenderer* renderer, const Frame& frame, const ColorField& field, int pixel_scale,
                const std::vector<HalfSpace>& cut = {});
 

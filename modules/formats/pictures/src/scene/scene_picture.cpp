@@ -139,7 +139,7 @@ Picture picture_of(OffscreenContext& context, const Frame& whole, const ArrowFie
                                                                   : view_axes(options.view, frame.dimension);
   const SceneBox box =
       options.follow_bodies && frame.particle_count() > 0 ? box_of_bodies(frame) : scene_box(frame);
-  const SceneLayout layout = SceneLayout::of_size(options.width, options.height);
+  const SceneLayout layout = SceneLayout::of_size(options.width, options.height, options.scale_bar);
 
   vtkNew<vtkRenderer> scene, overlay;
   scene->SetBackground(1, 1, 1);

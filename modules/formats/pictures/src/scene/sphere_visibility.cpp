@@ -43,7 +43,7 @@ class DepthImage {
   const std::vector<int>& owners() const { return owner_; }
 
  private:
-  // The front end of the part between two depths at a pixel that is left by the cut; minus infinity if none is.
+  // The front end of what the cut leaves between two depths at a pixel; minus infinity if nothing.
   double front(double x, double y, double back, double front) const {
     for (const auto& [normal, offset] : cut_) {
       const double rest = offset - normal[0] * x - normal[1] * y;

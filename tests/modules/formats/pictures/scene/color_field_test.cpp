@@ -71,7 +71,7 @@ TEST_CASE("a field that is unknown or not in the frame is refused", "[pictures]"
   CHECK_THAT(refusal("net_force"), Contains("this scene has no net_force; "));
 }
 
-TEST_CASE("two radii or materials have a legend, many values a bar", "[pictures]") {
+TEST_CASE("a few radii or materials have a legend, many values a bar", "[pictures]") {
   Frame frame = pair({0.2, 0.2, 0}, {0.8, 0.8, 0}, 2);
   CHECK(color_field(frame, {}).distinct.empty());  // of one radius
   frame.radius = {0.1, 0.2};
@@ -80,6 +80,8 @@ TEST_CASE("two radii or materials have a legend, many values a bar", "[pictures]
   RenderOptions options;
   options.color_by = "material";
   CHECK(color_field(frame, options).distinct == std::vector<double>{1, 3});
+  frame.material = {3, 3};
+  CHECK(color_field(frame, options).distinct == std::vector<double>{3});
   options.color_by = "velocity_x";
   const ColorField velocity = color_field(frame, options);
   CHECK(velocity.values == std::vector<double>{0, 3});

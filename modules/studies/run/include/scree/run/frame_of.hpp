@@ -21,8 +21,8 @@ SceneBox scene_box(const Simulation& simulation);
 // picture; empty before the first.
 SceneBox next_view(const SceneBox& shown, const SceneBox& scene);
 
-// The current state of a simulation as a snapshot that shows the box. color_by: one of pictures::color_fields;
-// displacements and groups are there only if it asks for them.
+// The current state of a simulation as a snapshot that shows the box. color_by: one of
+// pictures::color_fields; displacements and groups are there only if it asks for them.
 pictures::Frame frame_of(const Simulation& simulation, const std::string& title, const SceneBox& box,
                          const std::string& color_by = {});
 
