@@ -96,8 +96,8 @@ TEST_CASE("the frame can follow the bodies, cut the scene and look along any dir
   CHECK(find_blob(draw(frame, options), is_yellow).pixels > 100);
 }
 
-// A plane at the distance d from the centre of a sphere leaves a disc of radius sqrt(R^2 - d^2). Nothing
-// else is seen from the side that was cut off if that was more than half, and the whole circle if it was less.
+// A plane at the distance d from the centre of a sphere leaves a disc of radius sqrt(R^2 - d^2). From the
+// side that was cut off nothing else is seen if that was more than half, and the whole circle if it was less.
 TEST_CASE("bodies are cut at a plane and closed there", "[snapshot]") {
   const Frame frame = single(3);
   const auto shown = [&](int axis, double low, double high, double towards) {
