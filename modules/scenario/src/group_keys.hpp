@@ -8,7 +8,8 @@ struct GroupKeys : TableKeys {
   GroupKeys()
       : TableKeys("group", "[[group]]",
                   "bodies that are held, moved or loaded together, or start with a velocity") {}
-  StringKey name = string("name", "unique, for messages and for groups and leave_out of probes");
+  StringKey name =
+      string("name", "unique, for messages, for groups and leave_out of probes, and for pictures");
   Key where = other("where", "table", Range::any(), "required", "which bodies, see group.where");
   Key fixed = other(
       "fixed", "true, false or an array of x, y, z, rotation, rotation_x, ...", Range::any(), "optional",
