@@ -48,6 +48,9 @@ class Simulation {
 
   // Advances by one time step. Throws Error(blow_up) with the particle or contact, the time and a remedy.
   void step();
+  // The same, to the same bits; the bodies are complete after each substep of this length (s), which may be
+  // below 0. fourth_order has five, other integrators one.
+  void step(const std::function<void(double length)>& after_substep);
   // Takes up to `steps` steps. Faster than step(): the state is not observable in between. `proceed` is
   // polled during each step; false makes that step the last. Returns the steps taken.
   std::uint64_t run(std::uint64_t steps, const std::function<bool()>& proceed);
@@ -90,6 +93,9 @@ class Simulation {
   Vec3 lengths() const;
   const Vec3& lengths_at_start() const;
   ContactList contact_list() const;
+  // The same and pairs that are apart now, but between which the last evaluation, at other positions than the
+  // present ones (position_verlet, predictor_corrector), found a force; the overlap of these is 0 or below.
+  ContactList loaded_contact_list() const;
   // How forces move the walls about their present state. Throws Error if a boundary states numbers that are
   // not finite, a negative mass or viscosity, or a direction that is no unit vector.
   WallEquations linear_walls() const;
@@ -137,13 +143,14 @@ class Simulation {
   // For the framework and its tests only; the types are private.
   const Boundaries& boundaries() const;
   const BodyForces& body_forces() const;
-  // Adds the present body forces to the loads of bodies.
+  // Adds the body forces of a time (s), by default the present one, to the loads of bodies.
   void add_body_forces(scree_body_batch& batch) const;
+  void add_body_forces(scree_body_batch& batch, double time) const;
   const Contacts& contacts() const;
 
  private:
   // Takes one step; `observed`: the bodies must be complete at its end.
-  void advance(bool observed);
+  void advance(bool observed, const std::function<void(double)>& after_substep = {});
   void check_health(bool sound) const;
   void start_springs();
   void start_audits();

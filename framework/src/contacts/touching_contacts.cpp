@@ -10,6 +10,11 @@ Vec3 position(const Particles& p, std::size_t i) {
   return x;
 }
 
+bool is_loaded(const Forces& forces, std::size_t pair) {
+  const Vec3 force = forces.pair_force(pair);
+  return dot(force, force) > 0;
+}
+
 void append(std::vector<double>& columns, const Vec3& v) {
   columns.insert(columns.end(), v.component, v.component + 3);
 }
@@ -18,7 +23,7 @@ void append(std::vector<double>& columns, const Vec3& v) {
 
 ContactList touching_contacts(const Particles& p, const Contacts& contacts, const Forces& forces,
                               const std::vector<LawInstance>& laws, const std::vector<scree_plane>& planes,
-                              const Domain& domain) {
+                              const Domain& domain, ListedPairs listed) {
   const BodyOrder& order = p.order();
   ContactList list;
   for (const PairGroup& group : contacts.groups()) {
@@ -37,7 +42,8 @@ ContactList touching_contacts(const Particles& p, const Contacts& contacts, cons
         normal = (distance > 0 ? 1 / distance : 0) * normal;
         reach += p.radius()[b];
       }
-      if (!(distance < reach)) continue;
+      if (!(distance < reach) && !(listed == ListedPairs::touching_or_loaded && is_loaded(forces, q)))
+        continue;
       list.a.push_back(order.number(a));
       list.b.push_back(group.planes ? std::uint32_t(p.size()) + b : order.number(b));
       append(list.normal, normal);

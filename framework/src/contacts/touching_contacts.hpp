@@ -10,9 +10,13 @@
 
 namespace scree {
 
-// All touching pairs at the present positions, with the forces of the last evaluation.
+// Which pairs a list has: those that touch at the present positions, or also those between which the last
+// evaluation, elsewhere, found a force; the overlap of these may be below 0.
+enum class ListedPairs { touching, touching_or_loaded };
+
+// Pairs at the present positions, with the forces of the last evaluation.
 ContactList touching_contacts(const Particles& particles, const Contacts& contacts, const Forces& forces,
                               const std::vector<LawInstance>& laws, const std::vector<scree_plane>& planes,
-                              const Domain& domain);
+                              const Domain& domain, ListedPairs listed = ListedPairs::touching);
 
 }  // namespace scree

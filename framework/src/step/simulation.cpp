@@ -185,14 +185,17 @@ State Simulation::state_at_rest(const RestingPacking& packing) const {
   return moved.state();
 }
 
-void Simulation::advance(bool observed) {
+void Simulation::advance(bool observed, const std::function<void(double)>& after_substep) {
   parts_->copy_is_current = false;
   check_health(without_exception(*this, [&] {
-    return parts_->stepper.step(observed ? Stepper::Next::observed : Stepper::Next::follows);
+    return parts_->stepper.step(observed ? Stepper::Next::observed : Stepper::Next::follows, after_substep);
   }));
 }
 
 void Simulation::step() { advance(true); }
+void Simulation::step(const std::function<void(double length)>& after_substep) {
+  advance(true, after_substep);
+}
 
 std::uint64_t Simulation::run(std::uint64_t steps, const std::function<bool()>& proceed) {
   std::uint64_t taken = 0;
@@ -268,8 +271,9 @@ const std::vector<std::string>& Simulation::taken_over() const { return parts_->
 const std::vector<std::string>& Simulation::let_go() const { return parts_->let_go; }
 const Boundaries& Simulation::boundaries() const { return parts_->boundaries; }
 const BodyForces& Simulation::body_forces() const { return parts_->body_forces; }
-void Simulation::add_body_forces(scree_body_batch& batch) const {
-  parts_->body_forces.apply({time(), time()}, batch);
+void Simulation::add_body_forces(scree_body_batch& batch) const { add_body_forces(batch, time()); }
+void Simulation::add_body_forces(scree_body_batch& batch, double time) const {
+  parts_->body_forces.apply({time, time}, batch);
 }
 const Contacts& Simulation::contacts() const { return parts_->contacts; }
 
@@ -281,6 +285,12 @@ WallEquations Simulation::linear_walls(double time, const std::vector<scree_plan
 ContactList Simulation::contact_list() const {
   const SimulationParts& p = *parts_;
   return touching_contacts(p.particles, p.contacts, p.forces, p.laws, planes(), domain());
+}
+
+ContactList Simulation::loaded_contact_list() const {
+  const SimulationParts& p = *parts_;
+  return touching_contacts(p.particles, p.contacts, p.forces, p.laws, planes(), domain(),
+                           ListedPairs::touching_or_loaded);
 }
 
 double Simulation::contact_history(std::size_t pair, std::uint32_t column) const {

@@ -36,16 +36,18 @@ namespace scree {
 Stepper::Stepper(SimulationParts& parts)
     : parts_(parts), tiles_(parts.particles.size()), part_sums_(tiles_.parts()) {}
 
-bool Stepper::step(Next next) {
+bool Stepper::step(Next next, const std::function<void(double)>& after_substep) {
   const double h = parts_.scene.step;
   const std::span<const double> shares = parts_.integrator->substeps();
   double square_speed = 0;
   for (std::size_t k = 0; k < shares.size(); ++k) {
     substep_ = k;
     std::optional<double> following;
-    if (k + 1 < shares.size() || next == Next::follows) following = shares[(k + 1) % shares.size()] * h;
+    const bool goes_on = k + 1 < shares.size() ? !after_substep : next == Next::follows;
+    if (goes_on) following = shares[(k + 1) % shares.size()] * h;
     const std::optional<double> moved = substep(shares[k] * h, following);
     if (!moved) return false;
+    if (after_substep) after_substep(shares[k] * h);
     square_speed = *moved;
   }
   ++steps_;

@@ -6,6 +6,7 @@
 #include "motion/driven_bodies.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -26,7 +27,8 @@ class Stepper {
   explicit Stepper(SimulationParts& parts);
 
   // Takes one time step. Returns whether the state is sound: finite, no speed and no overlap above its limit.
-  bool step(Next next);
+  // after_substep: called with the length (s) of each substep, after which the bodies are complete.
+  bool step(Next next, const std::function<void(double)>& after_substep = {});
   // Evaluates the forces at the present positions; springs advance by `elapsed` (s) since the last
   // evaluation.
   void reevaluate_forces(double elapsed);

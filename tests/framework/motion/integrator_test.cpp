@@ -224,3 +224,29 @@ TEST_CASE("a force that a stage switches on acts in full from then on") {
     CHECK(std::abs(s.particles().body(0).position[2] + 0.5 * g * time * time) < steps * epsilon * g * time);
   }
 }
+
+TEST_CASE("a step that is observed after its substeps ends in the same bits", "[integrator]") {
+  for (const scree::IntegrationTraits& traits : scree::integrations()) {
+    CAPTURE(traits.name);
+    const Values law = {{"normal_stiffness", {1000}},
+                        {"normal_damping", {1}},
+                        {"tangential_stiffness", {300}},
+                        {"static_friction", {0.3}}};
+    Scene s = scree::test::scene(3, 1e-3,
+                                 {scree::test::body(1, 1, 1, {{0, 0, 1}}, {{0.5, 0.1, -0.3}}, {{0, 2, 1}}),
+                                  scree::test::body(2, 1, 1, {{1.95, 0.2, 1.1}})},
+                                 law);
+    scree::test::add_boundary(s, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}});
+    s.integration = traits.integration;
+    Simulation whole(s), observed(s);
+    double time = 0;
+    int substeps = 0;
+    for (int k = 0; k < 50; ++k) {
+      whole.step();
+      observed.step([&](double length) { time += length, ++substeps; });
+    }
+    CHECK(observed.state_hash() == whole.state_hash());
+    CHECK(time == Approx(whole.time()).epsilon(100 * epsilon));
+    CHECK(substeps == 50 * (traits.integration == scree::Integration::fourth_order ? 5 : 1));
+  }
+}
