@@ -76,6 +76,109 @@ TEST_CASE("fields writes the fields of states and prints what their balances lea
   CHECK(mean[20] == Approx(0.5 * (stress[20] + stress[76])));
 }
 
+TEST_CASE("a run writes the fields that the verb computes of its states", "[tools]") {
+  const Workspace w(
+      pressed_stages +
+      "[[fields]]\nevery = 5e-5\nformat = 'csv'\nname = 'table'\nspacing = 0.005\nkernel = 'lucy'\n"
+      "[[fields]]\nevery = 1e-4\nstages = ['second']\nplane = { y = 0.02 }\nwidth = 0.03\n");
+  const Outcome run = w.run();
+  INFO(run.err);
+  REQUIRE(run.status == 0);
+  const std::vector<double> time = column(w.text("out/fields/table.csv"), "time");
+  REQUIRE(time.size() % 5 == 0);
+  const std::size_t points = time.size() / 5;
+  CHECK(time[0] == 0);
+  CHECK(time[points] == Approx(5e-5));
+  CHECK(time.back() == Approx(2e-4));
+  // The grid of the run is that of its first step, from the bodies there.
+  const std::string lower = "-0.01,-0.0001", upper = "0.0298,0.037";
+  for (const auto& [state, frame] : {std::pair{"states/first.h5", 2}, std::pair{"final_state.h5", 4}}) {
+    CAPTURE(state);
+    REQUIRE(w.scree(std::string("fields out/") + state +
+                    " --kernel lucy --spacing 0.005 --width 0.04 --lower " + lower + " --upper " + upper +
+                    " --overwrite --out state.csv")
+                .status == 0);
+    for (const char* name :
+         {"x [m]", "density", "velocity_x", "contact_stress_xy", "kinetic_stress_yy", "traction_y"}) {
+      CAPTURE(name);
+      const std::vector<double> of_run = column(w.text("out/fields/table.csv"), name),
+                                of_state = column(w.text("state.csv"), name);
+      REQUIRE(of_state.size() == points);
+      for (std::size_t k = 0; k < points; ++k)  // places of the grid differ by round-off
+        CHECK(of_run[std::size_t(frame) * points + k] == Approx(of_state[k]).epsilon(1e-11).margin(1e-11));
+    }
+  }
+  CHECK_FALSE(w.has("out/fields/fields_0000000000.vti"));
+  CHECK_THAT(w.text("out/fields/fields.pvd"), Catch::Contains("file=\"fields_0000000010.vti\"") &&
+                                                  Catch::Contains("file=\"fields_0000000020.vti\""));
+  CHECK_THAT(w.text("out/fields/fields_0000000020.vti"), Catch::Contains("WholeExtent=\"0 2 0 0 0 0\""));
+
+  REQUIRE(w.shell("cp -r out/fields first && scree resume out --from first --overwrite").status == 0);
+  CHECK(w.shell("diff -r out/fields first").out.empty());
+  // A run that nobody asks for fields has the same motion.
+  REQUIRE(w.scree("run scene.toml --set 'fields=[]' --out without").status == 0);
+  CHECK(w.record("without")["state_hash"] == w.record("out")["state_hash"]);
+  CHECK_FALSE(w.has("without/fields"));
+}
+
+TEST_CASE("fields of a run that are not possible are refused before anything is written", "[tools]") {
+  const Workspace w(pressed_stages + "[[fields]]\nevery = 1e-4\n");
+  const auto refused = [&](const std::string& set) {
+    const Outcome outcome = w.run("--set " + set);
+    CHECK(outcome.status == 2);
+    CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+    CHECK_FALSE(w.has("out"));
+    return outcome.err;
+  };
+  CHECK_THAT(refused("fields.spacing=1e-9"),
+             Catch::StartsWith("scree: scene.toml:") && Catch::Contains("spacing: gives"));
+  CHECK_THAT(refused("fields.upper=[-1,-1]"), Catch::Contains("upper: is not above the lower end along x"));
+  CHECK_THAT(refused("'fields.plane={ z = 1 }'"), Catch::Contains("unknown key 'z' in [fields.plane]"));
+  CHECK_THAT(refused("'fields.plane={ x = 1, y = 1 }'"),
+             Catch::Contains("a plane is at one place on one axis; give one axis"));
+  CHECK_THAT(refused("'fields.plane={}'"),
+             Catch::Contains("the plane has no axis; give for example plane = { y = 0.01 }"));
+  CHECK_THAT(refused("'fields.stages=[\"third\"]'"), Catch::Contains("third"));
+  CHECK_THAT(refused("fields.every=1e-9"), Catch::Contains("is shorter than the time step"));
+  CHECK_THAT(refused("fields.name=a/b"), Catch::Contains("cannot be used as a file name"));
+}
+
+#if SCREE_TEST_PICTURES
+TEST_CASE("fields of frames are those of the state at the same time", "[tools]") {
+  const Workspace w(pressed_stages + "[snapshot]\nevery = 1e-4\n");
+  REQUIRE(w.run().status == 0);
+  const std::string grid =
+      " --spacing 0.005 --width 0.04 --lower -0.01,-0.0001 --upper 0.0298,0.037 --overwrite --out ";
+  const Outcome frames = w.scree("fields out/snapshots" + grid + "frames.csv");
+  INFO(frames.err);
+  REQUIRE(frames.status == 0);
+  CHECK_THAT(frames.out, Catch::Contains("3 frames"));
+  CHECK(printed(frames.out, "forces, ") < 1e-13);
+  REQUIRE(w.scree("fields out/final_state.h5" + grid + "state.csv").status == 0);
+  for (const char* name :
+       {"x [m]", "density", "velocity_x", "contact_stress_xy", "kinetic_stress_yy", "body_force_y"}) {
+    CAPTURE(name);
+    const std::vector<double> a = column(w.text("frames.csv"), name), b = column(w.text("state.csv"), name);
+    REQUIRE(a.size() == 3 * b.size());
+    for (std::size_t k = 0; k < b.size(); ++k)
+      CHECK(a[2 * b.size() + k] == Approx(b[k]).epsilon(1e-12).margin(1e-11));
+  }
+  REQUIRE(w.shell("cp out/snapshots/*_0000000020.vtp .").status == 0);
+  CHECK(
+      w.scree("fields particles_0000000020.vtp --out f.csv").err ==
+      "scree: particles_0000000020.vtp: has no masses, and its run has no state from which to take them; give a "
+      "--state of the run, or the --density of all bodies\n");
+  REQUIRE(w.scree("fields particles_0000000020.vtp --density 1000" + grid + "f.csv").status == 0);
+  const std::vector<double> given = column(w.text("f.csv"), "density"),
+                            of_state = column(w.text("state.csv"), "density");
+  for (std::size_t k = 0; k < given.size(); ++k) CHECK(given[k] == Approx(of_state[k]).epsilon(1e-12));
+  std::filesystem::remove(w / "contacts_0000000020.vtp");
+  CHECK_THAT(w.scree("fields particles_0000000020.vtp --density 1000 --out g.csv").err,
+             Catch::StartsWith(
+                 "scree: particles_0000000020.vtp: has no contacts, of which the stress is made; put"));
+}
+#endif
+
 TEST_CASE("fields numbers images of several states and lists them", "[tools]") {
   const Workspace w(pressed_stages);
   REQUIRE(w.run().status == 0);

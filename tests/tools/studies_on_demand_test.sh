@@ -16,9 +16,9 @@ build scree_studies: phony lib/libscree_studies.so
 NINJA
 
 fail() { echo "$1"; cat "$tree/out" "$tree/err"; exit 1; }
-for verb in accuracy spectrum cycles modes quasi-static; do
+for verb in accuracy spectrum cycles fields modes quasi-static; do
   "$tree/bin/scree" $verb --help > "$tree/out" 2> "$tree/err" || fail "scree $verb --help failed"
-  grep -q -- "--out DIR" "$tree/out" || fail "the help of $verb is not printed"
+  grep -q -- "--out [DF]I" "$tree/out" || fail "the help of $verb is not printed"
   [ ! -s "$tree/err" ] || fail "the help of $verb builds the library"
 done
 status=0

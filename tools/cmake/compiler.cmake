@@ -54,6 +54,17 @@ function(scree_compile_together target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${SCREE_BATCHES})
 endfunction()
 
+# For libraries that the program loads and, in a build tree, builds if they are missing
+# (modules/base/files/src/companion_library.cpp), so that the first run need not wait for them. Each is linked elsewhere,
+# and given its place when it is whole: a linker that is killed leaves nothing that scree would load.
+function(scree_build_on_demand target)
+  set_target_properties(${target} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib/linked)
+  set(placed ${PROJECT_BINARY_DIR}/lib/lib${target}.so)
+  add_custom_command(TARGET ${target} POST_BUILD VERBATIM BYPRODUCTS ${placed}
+    COMMAND ${CMAKE_COMMAND} -E copy $<TARGET_FILE:${target}> ${placed}.part
+    COMMAND ${CMAKE_COMMAND} -E rename ${placed}.part ${placed})
+endfunction()
+
 # scree_compile_apart(<target> <names>...): sources src/<name>.cpp of a library in a batch of their own, the objects
 # <target>_apart, whose include folders, libraries and options the caller sets.
 function(scree_compile_apart target)

@@ -1,7 +1,8 @@
 #include "exported_contacts.hpp"
 
 #include "exported_frames.hpp"
-#include "snapshot_files.hpp"
+#include "support/last_state.hpp"
+#include "support/snapshot_files.hpp"
 
 #include <scree/error.hpp>
 #include <scree/pictures/load_backend.hpp>

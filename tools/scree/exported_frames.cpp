@@ -1,6 +1,7 @@
 #include "exported_frames.hpp"
 
-#include "snapshot_files.hpp"
+#include "support/last_state.hpp"
+#include "support/snapshot_files.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -69,22 +70,6 @@ ExportedFrame frame_of(const pictures::Frame& shown, const Domain& domain) {
   return frame;
 }
 
-// The last state of a run; none if it has none.
-std::optional<fs::path> state_in(const fs::path& directory) {
-  std::error_code failed;
-  std::vector<fs::path> states;
-  const fs::path at_end = directory / "final_state.h5";
-  for (const auto& entry : fs::directory_iterator(directory / "checkpoint", failed))
-    if (entry.path().extension() == ".h5") states.push_back(entry.path());
-  std::optional<fs::path> latest;
-  if (!states.empty()) latest = *std::max_element(states.begin(), states.end());
-  // A run that was prolonged and interrupted has checkpoints after its last end.
-  if (fs::exists(at_end, failed) &&
-      (!latest || fs::last_write_time(at_end, failed) >= fs::last_write_time(*latest, failed)))
-    return at_end;
-  return latest;
-}
-
 [[noreturn]] void refuse_without_bodies(const fs::path& source) {
   std::error_code failed;
   // What a run leaves that blew up before its first state.
@@ -100,17 +85,11 @@ Vec3 vector_at(const std::vector<double>& values, std::size_t i) {
   return values.empty() ? Vec3{} : Vec3{{values[3 * i], values[3 * i + 1], values[3 * i + 2]}};
 }
 
-fs::path state_of(const fs::path& source) {
-  if (source.extension() == ".h5") return source;
-  if (const auto state = state_in(source)) return *state;
-  throw Error(source.string(), "has no state", "give the directory of a run that has one, or a state (.h5)");
-}
-
 void for_each_frame(const fs::path& source, bool all, const std::function<void(const ExportedFrame&)>& use) {
   std::error_code failed;
   if (source.extension() == ".h5") return use(frame_of_state(source));
   const bool is_run = fs::is_directory(source, failed);
-  const std::optional<fs::path> state = is_run ? state_in(source) : std::nullopt;
+  const std::optional<fs::path> state = is_run ? last_state(source) : std::nullopt;
   // A run that failed may have snapshots alone.
   const bool snapshots = !is_run || ((all || !state) && has_snapshots(source));
   if (!snapshots && !state) refuse_without_bodies(source);

@@ -25,7 +25,4 @@ void for_each_frame(const std::filesystem::path& source, bool all,
 // Row i of (rows, 3) values; 0 without values.
 Vec3 vector_at(const std::vector<double>& values, std::size_t i);
 
-// The file of a state: the source itself, or the last state of a run. Throws Error if the run has none.
-std::filesystem::path state_of(const std::filesystem::path& source);
-
 }  // namespace scree::tool

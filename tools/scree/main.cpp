@@ -30,7 +30,6 @@ ExitStatus main_of(int argc, char** argv) {
     add_chart_verb(line);
     add_report_verb(line);
     add_export_verb(line);
-    add_fields_verb(line);
     add_campaign_verb(line);
     add_bench_verb(line);
     add_study_verbs(line, do_study);

@@ -16,7 +16,6 @@ void add_render_verb(CommandLine& line);
 void add_chart_verb(CommandLine& line);
 void add_report_verb(CommandLine& line);
 void add_export_verb(CommandLine& line);
-void add_fields_verb(CommandLine& line);
 void add_campaign_verb(CommandLine& line);
 void add_bench_verb(CommandLine& line);
 void add_new_plugin_verb(CommandLine& line);

@@ -1,5 +1,5 @@
 #include "program_verbs.hpp"
-#include "snapshot_files.hpp"
+#include "support/snapshot_files.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -66,6 +66,7 @@ void print_places(const std::filesystem::path& directory, bool quiet) {
         {"images", "pictures (PNG)"},
         {"film.mp4", "the pictures as a film"},
         {"charts", "charts"},
+        {"fields", "density, momentum and stress (.vti, .pvd, .csv)"},
         {"final_packing.csv", "bodies at the end, for the key file of [particles]"},
         {"final_state.h5", "the whole state at the end"},
         {"checkpoint", "states for scree resume"},

@@ -2,6 +2,7 @@
 
 #include "support/accuracy_arguments.hpp"
 #include "support/cycles_arguments.hpp"
+#include "support/fields_arguments.hpp"
 #include "support/modes_arguments.hpp"
 #include "support/quasi_static_arguments.hpp"
 #include "support/spectrum_arguments.hpp"
@@ -29,6 +30,7 @@ void add_study_verbs(CommandLine& line, const std::function<ExitStatus()>& do_st
   add(line, add_accuracy_options, do_study);
   add(line, add_spectrum_options, do_study);
   add(line, add_cycles_options, do_study);
+  add(line, add_fields_options, do_study);
   add(line, add_modes_options, do_study);
   add(line, add_quasi_static_options, do_study);
 }
@@ -37,7 +39,7 @@ ExitStatus run_study(int argc, char** argv) {
   constexpr files::CompanionLibrary library = {
       .target = "scree_studies",
       .factory = "scree_create_studies",
-      .purpose = "accuracy, spectrum, cycles, modes and quasi-static",
+      .purpose = "accuracy, spectrum, cycles, fields, modes and quasi-static",
       .without = "use other commands",
       .needs = "the run-time libraries of KLU and METIS",
       .built_on_demand = true,

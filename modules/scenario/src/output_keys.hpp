@@ -1,6 +1,7 @@
 #pragma once
 
 #include <scree/charts/draw_chart.hpp>
+#include <scree/fields/averaging_kernel.hpp>
 #include <scree/pictures/render_options.hpp>
 #include <scree/scenario/table_keys.hpp>
 
@@ -114,6 +115,32 @@ struct CutKeys : TableKeys {
   Key z = other("z", "[low, high]", Range::any("m"), "default all", "along z");
 };
 
+struct FieldsKeys : TableKeys {
+  FieldsKeys()
+      : TableKeys(
+            "fields", "[[fields]]",
+            "density, momentum and stress on a grid at times of the run, as scree fields computes them of "
+            "states; fields/<name>.pvd or .csv") {}
+  Key every = other("every", "number", Range::positive("s"), "required", "time between them");
+  StringKey name = string("name", "fields", "of the files", "default \"fields\"");
+  ChoiceKey format =
+      choice_or_first("format", {"vti", "csv"}, "a file for ParaView of each time, or one table of all");
+  Key stages =
+      other("stages", "[\"name\", ...]", Range::any(), "default all", "stages in which it is computed");
+  ChoiceKey kernel = choice_or_first(
+      "kernel", {std::begin(fields::kernel_names), std::end(fields::kernel_names)}, "of the averages");
+  NumberKey width = number("width", Range::positive("m"), "radius of the kernel",
+                           "default two mean diameters at the start");
+  NumberKey spacing =
+      number("spacing", Range::positive("m"), "from point to point", "default half the width");
+  Key lower = other("lower", "[x, y, z]", Range::any("m"), "default the bodies at the start, or the period",
+                    "corner of the grid");
+  Key upper = other("upper", "[x, y, z]", Range::any("m"), "default the bodies at the start, or the period",
+                    "opposite corner");
+  Key plane = other("plane", "table", Range::any(), "default none",
+                    "a grid of one layer: { x = m }, { y = m } or { z = m }");
+};
+
 struct CheckpointKeys : TableKeys {
   CheckpointKeys()
       : TableKeys(
@@ -155,6 +182,7 @@ inline const DerivedKeys derived_keys;
 inline const ChartKeys chart_keys;
 inline const SnapshotKeys snapshot_keys;
 inline const CutKeys cut_keys;
+inline const FieldsKeys fields_keys;
 inline const CheckpointKeys checkpoint_keys;
 inline const ExpectKeys expect_keys;
 

@@ -48,7 +48,8 @@ void check_precision(const document::Table& root, const Scene& scene) {
 bool needs_spin(const Plan& plan) { return any_law(plan, &exerts_torque); }
 
 void note_needs(Plan& plan) {
-  plan.scene.pair_forces = plan.snapshot.any() || any_probe_needs(plan, SCREE_NEEDS_CONTACTS);
+  plan.scene.pair_forces =
+      plan.snapshot.any() || !plan.fields.empty() || any_probe_needs(plan, SCREE_NEEDS_CONTACTS);
   plan.scene.orientations =
       any_probe_needs(plan, SCREE_NEEDS_ORIENTATIONS) || any_law(plan, &depends_on_orientations);
 }

@@ -185,6 +185,7 @@ Plan read(const document::Document& document, const std::filesystem::path& path,
   find_conditions(root, plan.probes, plan.scene.dimension, plan.stages);
   check_colored_groups(root);
   plan.snapshot = read_snapshot(root, plan.scene.dimension, plan.scene.step);
+  plan.fields = read_fields(root, plan.scene, plan.stages);
   plan.checkpoint = read_checkpoint(root, plan.scene.step);
   std::vector<ProbeColumns> columns;
   for (const ProbePlan& probe : plan.probes) columns.push_back(columns_of(probe, plan.scene.dimension));

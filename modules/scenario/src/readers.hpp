@@ -255,11 +255,13 @@ std::vector<ProbePlan> read_probes(const document::Table& root, const Scene& sce
                                    const std::vector<Stage>& stages, PluginHost& host);
 ProbeColumns columns_of(const ProbePlan& probe, int dimension);
 
-// output_reader.cpp and checkpoint_reader.cpp
+// output_reader.cpp, fields_reader.cpp and checkpoint_reader.cpp
 
 // A time between outputs (s), at least one time step (s).
 double read_interval(const document::Table& table, const Key& key, double step);
 SnapshotPlan read_snapshot(const document::Table& root, int dimension, double step);
+std::vector<FieldsPlan> read_fields(const document::Table& root, const Scene& scene,
+                                    const std::vector<Stage>& stages);
 CheckpointPlan read_checkpoint(const document::Table& root, double step);
 // Sorts [[expect]] into the expectations of the run and of studies; the plan has its probes already. studies:
 // as for read_stages.

@@ -21,7 +21,8 @@ std::vector<TableDescription> describe_tables(const StudyTables& studies) {
       &lattice_keys,  &random_keys,      &region_keys,   &springs_keys,  &radius_keys,       &particle_keys,
       &group_keys,    &group_where_keys, &sphere_keys,   &cylinder_keys, &material_keys,     &contact_keys,
       &boundary_keys, &body_force_keys,  &stage_keys,    &until_keys,    &until_column_keys, &probe_keys,
-      &derived_keys,  &chart_keys,       &snapshot_keys, &cut_keys,      &checkpoint_keys,   &expect_keys};
+      &derived_keys,  &chart_keys,       &snapshot_keys, &cut_keys,      &fields_keys,       &checkpoint_keys,
+      &expect_keys};
   std::vector<TableDescription> tables;
   for (const TableKeys* keys : all) tables.push_back(keys->description());
   for (const StudyTable& study : studies)

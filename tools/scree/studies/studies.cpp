@@ -14,6 +14,7 @@ class AllStudies : public Studies {
       add_accuracy_verb(line);
       add_spectrum_verb(line);
       add_cycles_verb(line);
+      add_fields_verb(line);
       add_modes_verb(line);
       add_quasi_static_verb(line);
       add_study_resume_verb(line);

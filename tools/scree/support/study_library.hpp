@@ -5,7 +5,7 @@
 namespace scree::tool {
 
 // The interface of the companion library scree_studies, with the verbs that need what is not built for a run:
-// accuracy, spectrum, cycles, modes and quasi-static. The program itself has their options and help.
+// accuracy, spectrum, cycles, fields, modes and quasi-static. The program itself has their options and help.
 class Studies {
  public:
   virtual ~Studies() = default;

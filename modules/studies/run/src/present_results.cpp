@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 const Layout& layout_of(RunDirectory::Kind kind) {
   static const Layout run = {
-      run_results.noun, run_results.record, {"series", "snapshots", "images", "charts"}, {}};
+      run_results.noun, run_results.record, {"series", "snapshots", "images", "charts", "fields"}, {}};
   static const Layout accuracy = {accuracy_results.noun, accuracy_results.record, {"charts"}, {}};
   static const Layout campaign = {"campaign", "campaign.json", {}, {"table.csv", "means.csv"}};
   static const Layout spectrum = {spectrum_results.noun, spectrum_results.record, {"charts"}, {}};

@@ -39,6 +39,8 @@ bool Run::work() {
   session_.watch().time_output([&] {
     write_last_state(complete);
     sampler_.sample_last(*simulation_, last);
+    fields_.take_last(*simulation_, last);
+    fields_.flush();
     write_results(complete);
   });
   if (no_final_state_) std::rethrow_exception(no_final_state_);
@@ -55,10 +57,12 @@ Run::Run(const scenario::Plan& plan, const RunOptions& options, Session& session
       simulation_(std::move(simulation)),
       sampler_(plan),
       pictures_(plan, session.directory()),
+      fields_(plan, session.directory(), options.threads),
       results_(plan, options, session, *simulation_),
       states_(plan.checkpoint, session, *simulation_, results_, [this] { return save_state(); }) {}
 
 void Run::prepare() {
+  fields_.prepare(*simulation_);
   start_warnings_ = start_warnings(plan_, *simulation_);
   session_.note(start_warnings_);
   results_.take_quantities();
@@ -70,6 +74,7 @@ void Run::restore(const State& state) {
   sampler_.transfer_probes(from.below("probes"));
   sampler_.check_restored(*simulation_);
   pictures_.transfer(from.below("pictures"));
+  fields_.transfer(from.below("fields"));
   results_.transfer(from.below("results"));
   results_.go_on_with_times();
   from.value("written", "1", written_);
@@ -98,6 +103,7 @@ void Run::reopen() {
   states_.remove_later();
   sampler_.cut();
   pictures_.cut();
+  fields_.cut();
 }
 
 void Run::announce() {
@@ -120,9 +126,10 @@ std::string Run::drive_stages() {
   if (runner_->finished()) return plan_.stages.back().name;  // killed after its last state
   const std::uint64_t steps = runner_->steps();
   const std::string stage = plan_.stages[runner_->current()].name;
-  return run_with_hooks(*runner_, *this,
-                        std::min({sampler_.next(*simulation_, stage, steps),
-                                  pictures_.next(*simulation_, steps), states_.next(steps)}));
+  return run_with_hooks(
+      *runner_, *this,
+      std::min({sampler_.next(*simulation_, stage, steps), pictures_.next(*simulation_, steps),
+                fields_.next(*simulation_, stage, steps), states_.next(steps)}));
 }
 
 void Run::write_last_state(bool complete) {
@@ -159,7 +166,7 @@ void Run::end_failed() {
 void Run::save_failed() {
   files::try_each([&] { save_unreached(); }, [&] { sampler_.flush(); },
                   [&] { write_final_packing(*simulation_, session_.directory().add(final_packing)); },
-                  [&] { pictures_.take_last(*simulation_); });
+                  [&] { pictures_.take_last(*simulation_); }, [&] { fields_.flush(); });
 }
 
 void Run::save_unreached() {
@@ -186,6 +193,8 @@ State Run::save_state() {
   sampler_.flush();
   sampler_.transfer_probes(to.below("probes"));
   pictures_.transfer(to.below("pictures"));
+  fields_.flush();
+  fields_.transfer(to.below("fields"));
   results_.transfer(to.below("results"));
   written_ = session_.directory().written().size();
   to.value("written", "1", written_);
@@ -202,7 +211,7 @@ void Run::begin(const std::string& stage) {
 std::uint64_t Run::observe(const std::string& stage, std::uint64_t steps) {
   return session_.watch().time_output([&] {
     return std::min({sampler_.take(*simulation_, stage, steps), pictures_.take(*simulation_, steps),
-                     states_.next(steps)});
+                     fields_.take(*simulation_, stage, steps), states_.next(steps)});
   });
 }
 
@@ -226,6 +235,7 @@ void Run::report_progress(const StageRunner& runner) {
   last_report_ = wall_time;
   session_.directory().check_in_place();
   sampler_.flush();
+  fields_.flush();
   states_.look_at_clock();
   if (options_.on_progress && !runner.finished())
     options_.on_progress(progress_of(*simulation_, runner, wall_time));

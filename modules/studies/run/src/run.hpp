@@ -1,5 +1,6 @@
 #pragma once
 
+#include "field_output.hpp"
 #include "pictures.hpp"
 #include "results.hpp"
 #include "sampler.hpp"
@@ -59,6 +60,7 @@ class Run : public Study {
   std::unique_ptr<Simulation> simulation_;
   Sampler sampler_;
   Pictures pictures_;
+  FieldOutput fields_;
   Results results_;
   std::optional<StageRunner> runner_;
   StateWriter states_;

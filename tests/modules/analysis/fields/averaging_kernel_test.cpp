@@ -32,11 +32,12 @@ AlongLine along_by_midpoints(const AveragingKernel& kernel, const Vec3& offset, 
 TEST_CASE("the kernel has an integral of 1 in two and three dimensions", "[fields]") {
   const double w = 0.7;
   const int n = 4000;
-  for (const int dimension : {2, 3}) {
-    const AveragingKernel kernel(dimension, w);
+  for (const int k : {0, 1, 2, 3}) {
+    const int dimension = 2 + k / 2;
+    const AveragingKernel kernel(dimension, w, fields::KernelShape(k % 2));
     double integral = 0;
-    for (int k = 0; k < n; ++k) {
-      const double r = (k + 0.5) * w / n;
+    for (int ring = 0; ring < n; ++ring) {
+      const double r = (ring + 0.5) * w / n;
       integral +=
           kernel(r * r) * (dimension == 2 ? 2 * std::numbers::pi * r : 4 * std::numbers::pi * r * r) * w / n;
     }
@@ -52,8 +53,9 @@ TEST_CASE("the kernel is integrated along lines that end inside, outside, or mis
   const auto any = [&](double size) {
     return Vec3{{size * part(random), size * part(random), size * part(random)}};
   };
-  for (const int dimension : {2, 3}) {
-    const AveragingKernel kernel(dimension, 1.3);
+  for (const int kind : {0, 1, 2, 3}) {
+    const int dimension = 2 + kind / 2;
+    const AveragingKernel kernel(dimension, 1.3, fields::KernelShape(kind % 2));
     const double top = kernel(0);
     int clipped = 0;
     for (int k = 0; k < 400; ++k) {
@@ -70,9 +72,11 @@ TEST_CASE("the kernel is integrated along lines that end inside, outside, or mis
 }
 
 TEST_CASE("a line without a length has the kernel of its point", "[fields]") {
-  const AveragingKernel kernel(3, 1);
-  const Vec3 offset = {{0.1, 0.2, 0.3}};
-  CHECK(kernel.along(offset, {}).weight == Approx(kernel(dot(offset, offset))).epsilon(10 * test::epsilon));
-  CHECK(kernel.along(offset, {}).drop == 0);
-  CHECK(kernel.along({{2, 0, 0}}, {}).weight == 0);
+  for (const auto shape : {fields::KernelShape::triweight, fields::KernelShape::lucy}) {
+    const AveragingKernel kernel(3, 1, shape);
+    const Vec3 offset = {{0.1, 0.2, 0.3}};
+    CHECK(kernel.along(offset, {}).weight == Approx(kernel(dot(offset, offset))).epsilon(10 * test::epsilon));
+    CHECK(kernel.along(offset, {}).drop == 0);
+    CHECK(kernel.along({{2, 0, 0}}, {}).weight == 0);
+  }
 }

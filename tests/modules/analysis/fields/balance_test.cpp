@@ -27,7 +27,7 @@ StepInputs step_of(const PackingScene& packing, int steps = 150) {
   const auto simulation = agitated(packing, steps);
   StepInputs inputs = {input_of(*simulation), {}};
   simulation->step();
-  inputs.after = input_after_step(*simulation, inputs.before);
+  inputs.after = input_after_step(*simulation, {&inputs.before, 1});
   return inputs;
 }
 
@@ -35,7 +35,7 @@ StepInputs step_of(const PackingScene& packing, int steps = 150) {
 FieldInput input_between_steps(Simulation& simulation) {
   const FieldInput earlier = input_of(simulation);
   simulation.step();
-  return input_after_step(simulation, earlier);
+  return input_after_step(simulation, {&earlier, 1});
 }
 
 // Each term has a relative error of some ε times |x|/w times the degree 6 of the kernel; a point has some
@@ -96,10 +96,10 @@ TEST_CASE("momentum over a step of velocity Verlet is balanced at every point", 
     // Over 20 steps, in which contacts begin and end.
     for (int step = 0; step < 20; ++step) {
       simulation->step();
-      FieldInput after = input_after_step(*simulation, before);
+      FieldInput after = input_after_step(*simulation, {&before, 1});
       const Balance balance =
-          momentum_balance(before, after, simulation->step_length(), grid_over(packing, 1.3),
-                           AveragingKernel(packing.dimension, 2), lone_thread());
+          momentum_balance(before, after, verlet_shares(before, after, simulation->step_length()),
+                           grid_over(packing, 1.3), AveragingKernel(packing.dimension, 2), lone_thread());
       INFO(fmt::format("relative {:g} in step {}", balance.relative(), step));
       CHECK(balance.largest_term > 0.01);
       CHECK(balance.relative() < residual_round_off);
@@ -112,7 +112,8 @@ TEST_CASE("what is left out of a step shows in the balance of momentum", "[field
   const PackingScene packing = packing_scenes[4];
   const StepInputs step = step_of(packing);
   const auto residual = [&](const FieldInput& before, const FieldInput& after) {
-    return momentum_balance(before, after, 1e-3, grid_over(packing), AveragingKernel(3, 2), lone_thread())
+    return momentum_balance(before, after, verlet_shares(before, after, 1e-3), grid_over(packing),
+                            AveragingKernel(3, 2), lone_thread())
         .relative();
   };
   CHECK(residual(step.before, step.after) < residual_round_off);
@@ -133,8 +134,10 @@ TEST_CASE("balances have the same bits for any number of threads", "[fields]") {
   const FieldGrid grid = grid_over(packing);
   const AveragingKernel kernel(3, 2);
   ThreadPool three(3);
-  const Balance one = momentum_balance(step.before, step.after, 1e-3, grid, kernel, lone_thread());
-  const Balance many = momentum_balance(step.before, step.after, 1e-3, grid, kernel, three);
+  const Balance one = momentum_balance(step.before, step.after, verlet_shares(step.before, step.after, 1e-3),
+                                       grid, kernel, lone_thread());
+  const Balance many = momentum_balance(step.before, step.after, verlet_shares(step.before, step.after, 1e-3),
+                                        grid, kernel, three);
   CHECK(one.residual == many.residual);
   CHECK(one.largest_term == many.largest_term);
 }

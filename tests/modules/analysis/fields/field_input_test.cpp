@@ -33,7 +33,7 @@ TEST_CASE("the loads of bodies are those of contacts, body forces and groups", "
     const FieldInput before = fields::input_of(*simulation);
     simulation->step();
     // The step has evaluated drag at predicted velocities.
-    const FieldInput input = fields::input_after_step(*simulation, before);
+    const FieldInput input = fields::input_after_step(*simulation, {&before, 1});
     CHECK(input.step == 21);
     const std::vector<Vec3> loads = loads_of(input);
     double largest = 0, open = 0;

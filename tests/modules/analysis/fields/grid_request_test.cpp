@@ -31,7 +31,7 @@ std::string refused_grid(const GridRequest& request) {
 }  // namespace
 
 TEST_CASE("a grid fills the period or the bodies with whole cells", "[fields]") {
-  CHECK(default_width(two_bodies()) == 4);
+  CHECK(kernel_for({}, two_bodies()).width() == 4);
   GridRequest request;
   request.spacing = 0.9;
   const FieldGrid grid = grid_for(request, two_bodies());
@@ -63,27 +63,27 @@ TEST_CASE("grids without a volume, beyond the memory or of too many points for a
   GridRequest request;
   request.upper = Vec3{{-1, 1, 1}};
   CHECK(refused_grid(request) ==
-        "--upper: is not above the lower end along x (-1 m); give a box with a volume");
+        "upper: is not above the lower end along x (-1 m); give a box with a volume");
   request = {};
   request.spacing = 1e-5;
   CHECK_THAT(refused_grid(request),
-             Catch::StartsWith("--spacing: gives ") && Catch::Contains("GB of memory; give a larger one"));
+             Catch::StartsWith("spacing: gives ") && Catch::Contains("GB of memory; give a larger one"));
   request = {};
   request.width = 1e5;
   request.spacing = 1;
   CHECK_THAT(refused_grid(request),
-             Catch::StartsWith("--width: is so large that each body adds to 8e+15 points; give"));
+             Catch::StartsWith("width: is so large that each body adds to 8e+15 points; give"));
   // A kernel of many periods along x, although there is one layer of points.
   request.width = 1e8;
   request.spacing = 1e8;
-  CHECK_THAT(refused_grid(request), Catch::StartsWith("--width: is so large"));
+  CHECK_THAT(refused_grid(request), Catch::StartsWith("width: is so large"));
   request = {};
   request.width = 1;
   request.plane_axis = 0;
   request.plane = -302;
   CHECK(
       refused_grid(request) ==
-      "the grid: is more than 100 periods away along x; give a --plane, --lower and --upper near the scene");
+      "plane: the grid is more than 100 periods away along x; give a plane, lower and upper near the scene");
   request.plane = 1e300;
   CHECK_THAT(refused_grid(request), Catch::Contains("periods away"));
   request.plane = -300;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <filesystem>
@@ -10,6 +11,7 @@
 
 #include <scree/branching.hpp>
 #include <scree/document/document.hpp>
+#include <scree/fields/grid_request.hpp>
 #include <scree/pictures/render_options.hpp>
 #include <scree/plugin_host.hpp>
 #include <scree/probes.hpp>
@@ -71,6 +73,20 @@ struct SnapshotPlan {
   std::optional<int> film_rate;       // (Hz) of a film of the images; absent: none is made
   pictures::RenderOptions picture;    // color_range absent: of all pictures so far
   bool any() const { return every || image_every; }
+};
+
+// Fields on a grid, of a [[fields]].
+struct FieldsPlan {
+  std::string name;
+  double every = 0;                 // (s) rounded to whole steps when it runs
+  bool table = false;               // <name>.csv instead of <name>_<step>.vti
+  std::vector<std::string> stages;  // in which it is computed; all if empty
+  fields::GridRequest request;
+  std::string place;  // file:line:column of the table, for messages
+
+  bool is_of(const std::string& stage) const {
+    return stages.empty() || std::find(stages.begin(), stages.end(), stage) != stages.end();
+  }
 };
 
 // When the state of a run is written.
@@ -139,6 +155,7 @@ struct Plan {
   std::vector<Stage> stages;
   std::vector<ProbePlan> probes;
   SnapshotPlan snapshot;
+  std::vector<FieldsPlan> fields;
   CheckpointPlan checkpoint;
   std::vector<ChartPlan> charts;
   std::vector<Expectation> expectations;        // of a run

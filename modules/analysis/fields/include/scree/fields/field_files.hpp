@@ -17,6 +17,9 @@ struct FieldFrame {
 // comments: lines without a "#".
 std::string format_csv(const FieldGrid& grid, const std::vector<FieldFrame>& frames,
                        const std::vector<std::string>& comments);
+// Its header, with the end of the line, and the rows of one time.
+std::string format_csv_header(int dimension);
+std::string format_csv_rows(const FieldGrid& grid, const FieldFrame& frame);
 
 // An image of VTK (.vti) with one array of point data for each field, as text; ParaView reads it.
 std::string format_vti(const FieldGrid& grid, const FieldFrame& frame);

@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include <scree/body_group.hpp>
@@ -48,8 +50,11 @@ bool forces_are_present(const Simulation& simulation);
 // Of a simulation with forces of contacts (Scene::pair_forces), between two steps.
 FieldInput input_of(const Simulation& simulation);
 
-// The same after one step of velocity Verlet from `before`. Body forces that depend on velocities are those
-// of the step, which evaluates them at velocities that it predicts, v + h F/m.
-FieldInput input_after_step(const Simulation& simulation, const FieldInput& before);
+// The same after a step or substep of this length (s; default: the step). Body forces are those of the step,
+// which evaluates them at velocities that it predicts: v + h F/m; with position_verlet at mid-step; with
+// predictor_corrector at positions and velocities that follow from the last three of `earlier`. earlier: the
+// inputs after the steps before, the latest last.
+FieldInput input_after_step(const Simulation& simulation, std::span<const FieldInput> earlier,
+                            std::optional<double> length = std::nullopt);
 
 }  // namespace scree::fields

@@ -2,13 +2,15 @@
 
 #include <optional>
 
+#include <scree/fields/averaging_kernel.hpp>
 #include <scree/fields/field_grid.hpp>
 #include <scree/fields/field_input.hpp>
 
 namespace scree::fields {
 
-// Which grid is wanted; what is not given follows from the scene.
+// Which kernel and grid are wanted; what is not given follows from the scene.
 struct GridRequest {
+  KernelShape shape = KernelShape::triweight;
   double width = 0;                  // (m) of the kernel; 0: two mean diameters
   double spacing = 0;                // (m) from point to point; 0: half the width
   std::optional<Vec3> lower, upper;  // (m) corners of the box; default: the bodies, or the period
@@ -16,12 +18,12 @@ struct GridRequest {
   double plane = 0;                  // (m) where it is
 };
 
-// (m) Two mean diameters of the bodies. Throws Error if there are none.
-double default_width(const FieldInput& input);
+// The kernel for an input. Throws Error if it has no bodies.
+AveragingKernel kernel_for(const GridRequest& request, const FieldInput& input);
 
 // The grid for an input; along each axis the spacing is made to fill the box with whole cells. Throws Error
-// (place: the name of the key) if the box is empty, or the grid too large for the memory or too fine for the
-// width.
+// (place: "width", "spacing", "upper" or "plane", which is to be changed) if the box is empty, the grid is too
+// large for the memory, too fine for the width, or far away.
 FieldGrid grid_for(const GridRequest& request, const FieldInput& input);
 
 }  // namespace scree::fields

@@ -77,45 +77,44 @@ Balance balance_of(const FieldGrid& grid, const AveragingKernel& kernel, ThreadP
   return balance;
 }
 
-// Impulse (N s) of what no contact exerts, at the place of the body.
-Vec3 outer_impulse(const FieldBody& before, const FieldBody& after, double step) {
-  Vec3 impulse = 0.5 * step * (before.body_force + after.body_force + before.group_load + after.group_load);
+// Impulse (N s) of what no contact exerts on body i, at the place of the body.
+Vec3 outer_impulse(std::size_t i, const FieldBody& before, const FieldBody& after,
+                   std::span<const ForceShare> forces) {
+  Vec3 impulse = {}, all = {};
+  for (const ForceShare& share : forces) {
+    const FieldBody& body = share.input->bodies[i];
+    impulse += share.duration * (body.body_force + body.group_load);
+    all += share.duration * body.force;
+  }
   for (int k = 0; k < 3; ++k)
-    if (after.is_held(k))
-      impulse[k] += after.mass * (after.velocity[k] - before.velocity[k]) -
-                    0.5 * step * (before.force[k] + after.force[k]);
+    if (after.is_held(k)) impulse[k] += after.mass * (after.velocity[k] - before.velocity[k]) - all[k];
   return impulse;
 }
 
-void add_body_terms(const FieldBody& before, const FieldBody& after, double step, const Domain& domain,
-                    Terms& terms) {
+void add_body_terms(const FieldBody& before, const FieldBody& after, const Vec3& impulse,
+                    const Domain& domain, Terms& terms) {
   const double mass = after.mass;
   terms.add_at(after.position, mass * after.velocity);
   terms.add_at(before.position, -(mass * before.velocity));
   terms.add_along(before.position, path_between(before, after, domain),
                   0.5 * mass * (before.velocity + after.velocity));
-  const Vec3 half_impulse = 0.5 * outer_impulse(before, after, step);
-  terms.add_at(before.position, -half_impulse);
-  terms.add_at(after.position, -half_impulse);
+  terms.add_at(before.position, -(0.5 * impulse));
+  terms.add_at(after.position, -(0.5 * impulse));
 }
 
-// Half of the impulse of a contact of `here`, along its line there and along that of the same bodies at the
-// other time; a point of a wall goes with the body that touches it.
-void add_contact_terms(const FieldContact& contact, const FieldInput& here, const FieldInput& there,
-                       double step, Terms& terms) {
-  const FieldBody &a = here.bodies[contact.a], &other_a = there.bodies[contact.a];
+// An impulse (N s) of a contact that is listed at the time `here`, along the line of the same bodies at another
+// time; a point of a wall goes with the body that touches it.
+void add_contact_terms(const FieldContact& contact, const Vec3& impulse, const FieldInput& here,
+                       const FieldInput& there, Terms& terms) {
+  const FieldBody &a = here.bodies[contact.a], &there_a = there.bodies[contact.a];
   const bool wall = contact.b == FieldContact::wall;
-  Vec3 other_line = contact.line;
+  Vec3 line = contact.line;
   if (!wall)
-    other_line += path_between(a, other_a, here.domain) -
-                  path_between(here.bodies[contact.b], there.bodies[contact.b], here.domain);
-  const Vec3 share = 0.25 * step * contact.force;
-  const Vec3 start = a.position - contact.line, other_start = other_a.position - other_line;
-  terms.add_along(start, contact.line, share);
-  terms.add_along(other_start, other_line, share);
-  if (!wall) return;
-  terms.add_at(start, -share);
-  terms.add_at(other_start, -share);
+    line += path_between(a, there_a, here.domain) -
+            path_between(here.bodies[contact.b], there.bodies[contact.b], here.domain);
+  const Vec3 start = there_a.position - line;
+  terms.add_along(start, line, impulse);
+  if (wall) terms.add_at(start, -impulse);
 }
 
 }  // namespace
@@ -147,16 +146,38 @@ Balance mass_balance(const FieldInput& first, const FieldInput& second, const Fi
   });
 }
 
-Balance momentum_balance(const FieldInput& first, const FieldInput& second, double step,
-                         const FieldGrid& grid, const AveragingKernel& kernel, ThreadPool& threads) {
+std::vector<ForceShare> verlet_shares(const FieldInput& before, const FieldInput& after, double step) {
+  return {{&before, 0.5 * step}, {&after, 0.5 * step}};
+}
+
+std::vector<ForceShare> adams_moulton_shares(std::span<const FieldInput> last, double step) {
+  static constexpr double weights[] = {1.0 / 24, -5.0 / 24, 19.0 / 24, 9.0 / 24};
+  std::vector<ForceShare> shares;
+  for (std::size_t k = 0; k < 4; ++k) shares.push_back({&last[last.size() - 4 + k], weights[k] * step});
+  return shares;
+}
+
+Balance momentum_balance(const FieldInput& first, const FieldInput& second,
+                         std::span<const ForceShare> forces, const FieldGrid& grid,
+                         const AveragingKernel& kernel, ThreadPool& threads) {
   check_pair(first, second, grid);
+  for (const ForceShare& share : forces) check_pair(first, *share.input, grid);
   return balance_of(grid, kernel, threads, [&](Terms& terms) {
-    for (std::size_t i = 0; i < first.bodies.size(); ++i)
-      add_body_terms(first.bodies[i], second.bodies[i], step, first.domain, terms);
-    for (const FieldContact& contact : first.contacts) add_contact_terms(contact, first, second, step, terms);
-    for (const FieldContact& contact : second.contacts)
-      add_contact_terms(contact, second, first, step, terms);
+    for (std::size_t i = 0; i < first.bodies.size(); ++i) {
+      const FieldBody &before = first.bodies[i], &after = second.bodies[i];
+      add_body_terms(before, after, outer_impulse(i, before, after, forces), first.domain, terms);
+    }
+    for (const ForceShare& share : forces)
+      for (const FieldContact& contact : share.input->contacts)
+        for (const FieldInput* end : {&first, &second})
+          add_contact_terms(contact, 0.5 * share.duration * contact.force, *share.input, *end, terms);
   });
+}
+
+void Balance::add(const Balance& next) {
+  residual.resize(next.residual.size());
+  for (std::size_t k = 0; k < residual.size(); ++k) residual[k] += next.residual[k];
+  largest_term = std::max(largest_term, next.largest_term);
 }
 
 }  // namespace scree::fields

@@ -1,8 +1,13 @@
-#include "exported_frames.hpp"
-#include "program_verbs.hpp"
-#include "state_fields.hpp"
+#include "studies/state_fields.hpp"
+#include "studies/studies.hpp"
+#include "support/fields_arguments.hpp"
+#include "support/last_state.hpp"
+#include "support/snapshot_files.hpp"
 
+#include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,15 +21,6 @@ namespace scree::tool {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct FieldsArguments {
-  std::vector<std::string> sources;
-  std::string out, plane, lower, upper;
-  std::optional<double> width, spacing;
-  bool average = false, overwrite = false;
-  unsigned threads = 1;
-  PluginOptions plugins;
-};
 
 // Numbers with commas between them.
 std::vector<double> numbers_of(const std::string& option, const std::string& text) {
@@ -55,6 +51,10 @@ std::optional<Vec3> corner_of(const std::string& option, const std::string& text
 
 fields::GridRequest request_of(const FieldsArguments& arguments, int dimension) {
   fields::GridRequest request;
+  const auto kernel =
+      std::find(std::begin(fields::kernel_names), std::end(fields::kernel_names), arguments.kernel);
+  if (kernel != std::end(fields::kernel_names))
+    request.shape = fields::KernelShape(kernel - std::begin(fields::kernel_names));
   request.width = arguments.width.value_or(0);
   request.spacing = arguments.spacing.value_or(0);
   request.lower = corner_of("--lower", arguments.lower, dimension);
@@ -77,6 +77,13 @@ fs::path file_of(const FieldsArguments& arguments) {
   return (fs::is_directory(source) ? source.filename() : source.stem()).string() + "-fields.csv";
 }
 
+// One frame, all of a folder snapshots, or the state that is given or that of a run.
+std::vector<fs::path> files_in(const fs::path& source) {
+  const fs::path named = source.has_filename() ? source : source.parent_path();
+  if (source.extension() == ".vtp" || named.filename() == "snapshots") return snapshot_files(source);
+  return {state_of(source)};
+}
+
 ExitStatus compute_fields(const FieldsArguments& arguments) {
   FieldsOptions options;
   options.out = file_of(arguments);
@@ -84,7 +91,12 @@ ExitStatus compute_fields(const FieldsArguments& arguments) {
   options.overwrite = arguments.overwrite;
   options.threads = arguments.threads;
   options.request = [&](int dimension) { return request_of(arguments, dimension); };
-  for (const std::string& source : arguments.sources) options.states.push_back(state_of(source));
+  for (const std::string& source : arguments.sources) {
+    const std::vector<fs::path> files = files_in(source);
+    options.sources.insert(options.sources.end(), files.begin(), files.end());
+  }
+  if (!arguments.state.empty()) options.state_of_frames = arguments.state;
+  options.density_of_frames = arguments.density;
   PluginHost host = make_host(arguments.plugins);
   write_fields(options, host);
   return ExitStatus::success;
@@ -93,30 +105,8 @@ ExitStatus compute_fields(const FieldsArguments& arguments) {
 }  // namespace
 
 void add_fields_verb(CommandLine& line) {
-  Verb verb =
-      line.verb("fields", "Density, momentum and stress of states as smooth fields on a grid, with balances");
   auto a = std::make_shared<FieldsArguments>();
-  verb.option("sources", a->sources, "States (.h5) of one run, or its directory for the last one")
-      .required()
-      .existing_path();
-  verb.option("--width", a->width, "(m) radius of the kernel; default: two mean diameters").above_zero();
-  verb.option("--spacing", a->spacing, "(m) from point to point; default: half the width").above_zero();
-  verb.option("--lower", a->lower, "(m) corner of the grid; default: the bodies, or the period")
-      .shown_as("X,Y,Z");
-  verb.option("--upper", a->upper, "(m) opposite corner").shown_as("X,Y,Z");
-  verb.option("--plane", a->plane, "A grid of one layer, such as z=0.01 (m)").shown_as("AXIS=M");
-  verb.option("--out", a->out, "File .csv or .vti (ParaView); default: the name of the source, here, .csv")
-      .shown_as("FILE");
-  verb.flag("--average", a->average, "One mean of all states instead of each");
-  verb.option("--threads", a->threads, "The fields have the same bits for any number").between(1, 1024);
-  verb.flag("--overwrite", a->overwrite, "Replace the file");
-  add_plugin_options(verb, a->plugins);
-  verb.footer(
-      "Several states: a .csv has them one after another; .vti files are numbered and a .pvd lists them.\n"
-      "Printed: what the balances of forces in each state, of mass from state to state, and of mass and momentum\n"
-      "over a step from the last state leave open, over the largest term of a body or contact.\n"
-      "Columns and equations: modules/analysis/fields/README.md\n"
-      "Example: scree fields runs/first/states/*.h5 --average --plane y=0.02 --out first.vti");
+  Verb verb = add_fields_options(line, *a);
   verb.action([a] { return compute_fields(*a); });
 }
 

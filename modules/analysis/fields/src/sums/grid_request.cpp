@@ -33,7 +33,7 @@ Extent extent_of(const FieldInput& input, int k) {
 void check_size(const FieldGrid& grid, double cells, double width) {
   const double bytes = 2 * cells * double(sizeof(FieldPoint));  // sums and means
   if (const double there = available_memory(); bytes > there)
-    throw Error("--spacing",
+    throw Error("spacing",
                 fmt::format("gives {:.3g} points, which take {:.3g} GB of memory", cells, bytes / 1e9),
                 fmt::format("give a larger one, or a smaller box: there are {:.3g} GB", there / 1e9));
   double near = 1;
@@ -44,20 +44,20 @@ void check_size(const FieldGrid& grid, double cells, double width) {
     near *= std::max(1.0, points);
   }
   if (near > most_points_per_body)
-    throw Error("--width", fmt::format("is so large that each body adds to {:.3g} points", near),
-                "give a smaller one, or a larger --spacing");
+    throw Error("width", fmt::format("is so large that each body adds to {:.3g} points", near),
+                "give a smaller one, or a larger spacing");
 }
 
 void check_periods(const FieldInput& input, int k, double from, double to) {
   if (!input.domain.periodic[std::size_t(k)]) return;
   const double room = most_periods * input.domain.length(k);
   if (!(from > input.domain.lower[k] - room && to < input.domain.upper[k] + room))
-    throw Error("the grid", fmt::format("is more than {:g} periods away along {}", most_periods, "xyz"[k]),
-                "give a --plane, --lower and --upper near the scene");
+    throw Error("plane",
+                fmt::format("the grid is more than {:g} periods away along {}", most_periods, "xyz"[k]),
+                "give a plane, lower and upper near the scene");
 }
 
-}  // namespace
-
+// (m) Two mean diameters.
 double default_width(const FieldInput& input) {
   if (input.bodies.empty()) throw Error("", "the state has no bodies", "give a state with bodies");
   double sum = 0;
@@ -65,8 +65,18 @@ double default_width(const FieldInput& input) {
   return 4 * sum / double(input.bodies.size());
 }
 
+double width_for(const GridRequest& request, const FieldInput& input) {
+  return request.width > 0 ? request.width : default_width(input);
+}
+
+}  // namespace
+
+AveragingKernel kernel_for(const GridRequest& request, const FieldInput& input) {
+  return {input.dimension, width_for(request, input), request.shape};
+}
+
 FieldGrid grid_for(const GridRequest& request, const FieldInput& input) {
-  const double width = request.width > 0 ? request.width : default_width(input);
+  const double width = width_for(request, input);
   const double spacing = request.spacing > 0 ? request.spacing : 0.5 * width;
   FieldGrid grid;
   grid.dimension = input.dimension;
@@ -84,7 +94,7 @@ FieldGrid grid_for(const GridRequest& request, const FieldInput& input) {
     if (request.upper) extent.upper = (*request.upper)[k];
     const double length = extent.upper - extent.lower;
     if (!(length > 0))
-      throw Error("--upper",
+      throw Error("upper",
                   fmt::format("is not above the lower end along {} ({:g} m)", "xyz"[k], extent.lower),
                   "give a box with a volume");
     check_periods(input, k, extent.lower, extent.upper);

@@ -1,4 +1,4 @@
-#include "snapshot_files.hpp"
+#include "support/snapshot_files.hpp"
 
 #include <algorithm>
 #include <string>

@@ -59,20 +59,6 @@ std::vector<RowCell> cells_of_row(int dimension) {
   return cells;
 }
 
-std::string field_header(int dimension) {
-  std::string line = "time [s]";
-  each_component(1, dimension,
-                 [&](const std::string& axis, std::size_t) { line += "," + axis.substr(1) + " [m]"; });
-  for (const FieldColumn& column : field_columns) {
-    const std::string_view unit = column.unit;
-    each_component(column.rank, dimension, [&](const std::string& axes, std::size_t) {
-      line += fmt::format(",{}{}", column.name, axes);
-      if (!unit.empty()) line += fmt::format(" [{}]", unit);
-    });
-  }
-  return line + '\n';
-}
-
 std::string vtk_triple(const Vec3& v) { return fmt::format("{} {} {}", v[0], v[1], v[2]); }
 
 void write_array(std::string& out, const FieldColumn& column, const std::vector<FieldPoint>& points) {
@@ -89,22 +75,41 @@ void write_array(std::string& out, const FieldColumn& column, const std::vector<
 
 }  // namespace
 
+std::string format_csv_header(int dimension) {
+  std::string line = "time [s]";
+  each_component(1, dimension,
+                 [&](const std::string& axis, std::size_t) { line += "," + axis.substr(1) + " [m]"; });
+  for (const FieldColumn& column : field_columns) {
+    const std::string_view unit = column.unit;
+    each_component(column.rank, dimension, [&](const std::string& axes, std::size_t) {
+      line += fmt::format(",{}{}", column.name, axes);
+      if (!unit.empty()) line += fmt::format(" [{}]", unit);
+    });
+  }
+  return line + '\n';
+}
+
+std::string format_csv_rows(const FieldGrid& grid, const FieldFrame& frame) {
+  std::string out;
+  const auto end = std::back_inserter(out);
+  const std::vector<RowCell> cells = cells_of_row(grid.dimension);
+  for (std::size_t number = 0; number < frame.points.size(); ++number) {
+    const Vec3 x = grid.point(number);
+    fmt::format_to(end, "{}", frame.time);
+    for (int k = 0; k < grid.dimension; ++k) fmt::format_to(end, ",{}", x[k]);
+    for (const RowCell& cell : cells)
+      fmt::format_to(end, ",{}", cell.column->value(frame.points[number], cell.component));
+    out += '\n';
+  }
+  return out;
+}
+
 std::string format_csv(const FieldGrid& grid, const std::vector<FieldFrame>& frames,
                        const std::vector<std::string>& comments) {
   std::string out;
   for (const std::string& comment : comments) out += "# " + comment + '\n';
-  out += field_header(grid.dimension);
-  const auto end = std::back_inserter(out);
-  const std::vector<RowCell> cells = cells_of_row(grid.dimension);
-  for (const FieldFrame& frame : frames)
-    for (std::size_t number = 0; number < frame.points.size(); ++number) {
-      const Vec3 x = grid.point(number);
-      fmt::format_to(end, "{}", frame.time);
-      for (int k = 0; k < grid.dimension; ++k) fmt::format_to(end, ",{}", x[k]);
-      for (const RowCell& cell : cells)
-        fmt::format_to(end, ",{}", cell.column->value(frame.points[number], cell.component));
-      out += '\n';
-    }
+  out += format_csv_header(grid.dimension);
+  for (const FieldFrame& frame : frames) out += format_csv_rows(grid, frame);
   return out;
 }
 
