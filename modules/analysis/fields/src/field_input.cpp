@@ -180,9 +180,9 @@ std::vector<const FieldBody*> history_of(std::span<const FieldInput> earlier, st
   return history;
 }
 
-// A component of the position and velocity that predictor_corrector predicted for an evaluation, from those that it
-// corrected with c = h²/2 F/m − (r₂ + 3r₃ + 6r₄), where r_k is h^k/k! times a derivative, and three forces before
-// give r₃ and r₄: with A = h²/2 F/m, r₃ = ΔA/2 − ΔA₋/6, r₄ = ΔA/12 − ΔA₋/12.
+// A component of the position and velocity that predictor_corrector predicted for an evaluation, from those
+// that it corrected with c = h²/2 F/m − (r₂ + 3r₃ + 6r₄), where r_k is h^k/k! times a derivative, and three
+// forces before give r₃ and r₄: with A = h²/2 F/m, r₃ = ΔA/2 − ΔA₋/6, r₄ = ΔA/12 − ΔA₋/12.
 struct Correction {
   double position, velocity;  // (m), (m/s)
 };

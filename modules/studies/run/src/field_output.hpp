@@ -16,8 +16,8 @@
 
 namespace scree::run {
 
-// The fields of a run, of each [[fields]], in fields/. Their library is loaded, and in a build tree built, only
-// if the plan has some.
+// The fields of a run, of each [[fields]], in fields/. Their library is loaded, and in a build tree built,
+// only if the plan has some.
 class FieldOutput {
  public:
   // Throws Error if the library is needed and cannot be loaded.

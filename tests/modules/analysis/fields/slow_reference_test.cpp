@@ -71,8 +71,8 @@ double kernel_along(const Vec3& r, const Vec3& l, double w, int dimension, Kerne
          integral(std::max(middle, nearest - half), std::min(1.0, nearest + half), phi);
 }
 
-// Sums over all bodies and contacts as Goldhirsch (2010) has them, eqs. 2, 4, 12 to 14, and the kinetic stress in two
-// passes.
+// Sums over all bodies and contacts as Goldhirsch (2010) defines the fields, and the kinetic
+// stress in two passes.
 FieldPoint slow_fields(const FieldInput& input, const Vec3& x, double w, KernelShape shape) {
   FieldPoint p;
   std::vector<double> weights(input.bodies.size(), 0.0);

@@ -26,8 +26,8 @@ std::unique_ptr<Simulation> agitated_with(Integration integration, const Packing
   return simulation;
 }
 
-// Round-off as in balance_test.cpp. Gear's forces are taken with weights that add up to 38/24 in magnitude, and the
-// five substeps of fourth_order to 2.3 steps.
+// Round-off as in balance_test.cpp. Gear's forces are taken with weights that add up to 34/24 in magnitude,
+// and the five substeps of fourth_order to 2.3 steps.
 constexpr double round_off_of_step = 2e-13;
 
 }  // namespace
@@ -72,8 +72,8 @@ TEST_CASE(
   }
 }
 
-// Adams and Moulton's formula of fourth order over the last four evaluations; a step taken with the trapezoidal rule
-// instead leaves its error, of third order in the step.
+// Adams and Moulton's formula of fourth order over the last four evaluations; a step taken with the
+// trapezoidal rule instead leaves its error, of third order in the step.
 TEST_CASE("the balance of momentum tells the integrators apart", "[fields]") {
   const PackingScene& packing = packing_scenes[0];
   const auto simulation = agitated_with(Integration::predictor_corrector, packing, 150);

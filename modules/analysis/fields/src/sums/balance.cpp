@@ -102,8 +102,8 @@ void add_body_terms(const FieldBody& before, const FieldBody& after, const Vec3&
   terms.add_at(after.position, -(0.5 * impulse));
 }
 
-// An impulse (N s) of a contact that is listed at the time `here`, along the line of the same bodies at another
-// time; a point of a wall goes with the body that touches it.
+// An impulse (N s) of a contact that is listed at the time `here`, along the line of the same bodies at
+// another time; a point of a wall goes with the body that touches it.
 void add_contact_terms(const FieldContact& contact, const Vec3& impulse, const FieldInput& here,
                        const FieldInput& there, Terms& terms) {
   const FieldBody &a = here.bodies[contact.a], &there_a = there.bodies[contact.a];

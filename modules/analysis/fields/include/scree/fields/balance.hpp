@@ -49,10 +49,10 @@ std::vector<ForceShare> adams_moulton_shares(std::span<const FieldInput> last, d
 
 // Of momentum between two times (kg/(m² s)), with means of the values at both written <>:
 //   p₂ − p₁ + ∇·Σ m <v> ⊗ d ∫φ ds + Σ_k h_k (∇·<σ>_k − <t>_k − Σ (b + g)_k <φ>) − Σ H <φ>
-// σ_k: stress of the contacts of evaluation k, each along the line between its bodies at either time, t: traction
-// of walls, b, g: body force and load of a group, H: impulse of what holds a body, m (v₂ − v₁) − Σ h_k F_k for
-// held components and 0 for others. Of free bodies it shows that v₂ − v₁ comes from the forces counted. Throws
-// Error as mass_balance().
+// σ_k: stress of the contacts of evaluation k, each along the line between its bodies at either time, t:
+// traction of walls, b, g: body force and load of a group, H: impulse of what holds a body, m (v₂ − v₁) − Σ
+// h_k F_k for held components and 0 for others. Of free bodies it shows that v₂ − v₁ comes from the forces
+// counted. Throws Error as mass_balance().
 Balance momentum_balance(const FieldInput& first, const FieldInput& second,
                          std::span<const ForceShare> forces, const FieldGrid& grid,
                          const AveragingKernel& kernel, ThreadPool& threads);

@@ -20,8 +20,8 @@ struct FieldSetting {
   AveragingKernel kernel;
 };
 
-// Makes the files of the fields of a run that goes on, with the functions that `scree fields` uses. It lies in
-// a library of its own, which a run without [[fields]] needs not.
+// Makes the files of the fields of a run that goes on, with the functions that `scree fields` uses. It lies
+// in a library of its own, which a run without [[fields]] needs not.
 class FieldRecorder {
  public:
   virtual ~FieldRecorder() = default;

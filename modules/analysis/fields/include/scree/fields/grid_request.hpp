@@ -22,8 +22,8 @@ struct GridRequest {
 AveragingKernel kernel_for(const GridRequest& request, const FieldInput& input);
 
 // The grid for an input; along each axis the spacing is made to fill the box with whole cells. Throws Error
-// (place: "width", "spacing", "upper" or "plane", which is to be changed) if the box is empty, the grid is too
-// large for the memory, too fine for the width, or far away.
+// (place: "width", "spacing", "upper" or "plane", which is to be changed) if the box is empty, the grid is
+// too large for the memory, too fine for the width, or far away.
 FieldGrid grid_for(const GridRequest& request, const FieldInput& input);
 
 }  // namespace scree::fields
