@@ -17,21 +17,14 @@ std::string frame_name(const std::string& fields, std::uint64_t step) {
   return fmt::format("{}_{:010}.vti", fields, step);
 }
 
-// Lists what a setting is made of, in the order of the state.
-void transfer_setting(const StateTransfer& state, const scenario::FieldsPlan& plan, int dimension,
-                      std::optional<fields::FieldSetting>& setting) {
-  fields::FieldGrid grid = setting ? setting->grid : fields::FieldGrid{.dimension = dimension};
-  double width = setting ? setting->kernel.width() : 1;
-  std::vector<std::uint64_t> count(grid.count.begin(), grid.count.end());
-  state.value("width", "m", width, stored::positive);
-  state.numbers("first", "m", grid.first.component, 3);
-  state.numbers("spacing", "m", grid.spacing.component, 3, stored::positive);
-  state.numbers("period", "m", grid.period.component, 3, stored::non_negative);
-  constexpr std::uint64_t most_points = std::uint64_t(1) << 32;
-  state.sized_rows("count", "1", count, 1, {.least = 1, .most = double(most_points)});
-  if (!state.restoring()) return;
-  std::copy(count.begin(), count.end(), grid.count.begin());
-  setting = {grid, fields::AveragingKernel(dimension, width, plan.request.shape)};
+// The bodies at the start of a run, from which the grid follows, also in a run that goes on.
+fields::FieldInput input_at_start(const Simulation& s) {
+  fields::FieldInput input = {.dimension = s.dimension(), .domain = s.domain()};
+  for (const Body& body : s.scene().bodies)
+    input.bodies.push_back({.id = body.id, .radius = body.radius, .position = body.position});
+  std::sort(input.bodies.begin(), input.bodies.end(),
+            [](const fields::FieldBody& a, const fields::FieldBody& b) { return a.id < b.id; });
+  return input;
 }
 
 }  // namespace
@@ -44,7 +37,7 @@ FieldOutput::FieldOutput(const scenario::Plan& plan, const RunDirectory& directo
 
 void FieldOutput::prepare(const Simulation& simulation) {
   if (all_.empty()) return;
-  const fields::FieldInput input = fields::input_of(simulation);
+  const fields::FieldInput input = input_at_start(simulation);
   for (Recorded& recorded : all_) {
     try {
       recorded.setting = recorder_->setting(recorded.plan->request, input);
@@ -109,7 +102,6 @@ void FieldOutput::write_collection(const Recorded& recorded) const {
 void FieldOutput::transfer(const StateTransfer& state) {
   for (Recorded& recorded : all_) {
     const StateTransfer of = state.below(recorded.plan->name);
-    transfer_setting(of, *recorded.plan, dimension_, recorded.setting);
     of.rows("times", "s", recorded.times);
     of.rows("steps", "1", recorded.steps);
     if (recorded.times.size() != recorded.steps.size()) of.refuse("steps", "are not as many as the times");

@@ -23,7 +23,7 @@ class FieldOutput {
   // Throws Error if the library is needed and cannot be loaded.
   FieldOutput(const scenario::Plan& plan, const RunDirectory& directory, unsigned threads);
 
-  // Takes kernels and grids at the start of a run. Throws Error, at the table, if one is not possible.
+  // Takes kernels and grids, from the bodies at the start of the run. Throws Error, at the table, if one is not possible.
   void prepare(const Simulation& simulation);
   // Writes what is due `steps` after the start of a stage. Returns the step count of the next output.
   std::uint64_t take(const Simulation& simulation, const std::string& stage, std::uint64_t steps);
@@ -31,7 +31,7 @@ class FieldOutput {
   std::uint64_t next(const Simulation& simulation, const std::string& stage, std::uint64_t steps) const;
   // Writes the fields of the last step of a run, in the stage of this name.
   void take_last(const Simulation& simulation, const std::string& stage);
-  // Kernels, grids, and which files there are; tables must be flushed.
+  // Which files there are; tables must be flushed.
   void transfer(const StateTransfer& state);
   // Drops rows, and entries of collections, that came after the state.
   void cut();

@@ -74,6 +74,7 @@ void Run::restore(const State& state) {
   sampler_.transfer_probes(from.below("probes"));
   sampler_.check_restored(*simulation_);
   pictures_.transfer(from.below("pictures"));
+  fields_.prepare(*simulation_);
   fields_.transfer(from.below("fields"));
   results_.transfer(from.below("results"));
   results_.go_on_with_times();
