@@ -23,7 +23,8 @@ class FieldOutput {
   // Throws Error if the library is needed and cannot be loaded.
   FieldOutput(const scenario::Plan& plan, const RunDirectory& directory, unsigned threads);
 
-  // Takes kernels and grids, from the bodies at the start of the run. Throws Error, at the table, if one is not possible.
+  // Takes kernels and grids, from the bodies at the start of the run. Throws Error, at the table, if one is
+  // not possible.
   void prepare(const Simulation& simulation);
   // Writes what is due `steps` after the start of a stage. Returns the step count of the next output.
   std::uint64_t take(const Simulation& simulation, const std::string& stage, std::uint64_t steps);
