@@ -40,7 +40,7 @@ void Sampler::put_in_order() {
   for (const std::size_t k : order_) {
     probes_[k].needs = probes_[k].probe.needs();
     for (const scenario::ProbeInput& input : probes_[k].plan->inputs)
-      probes_[k].needs |= probes_[input.probe].needs;
+      probes_[k].needs = joint_needs(probes_[k].needs, probes_[input.probe].needs);
   }
 }
 
