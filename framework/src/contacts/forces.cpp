@@ -22,7 +22,7 @@ struct Forces::Work {
   kernel::Tiles tiles;
   kernel::PlaneRecords planes;
   PairConstants constants;
-  std::vector<ContactSums> block_sums, tile_sums;
+  std::vector<ContactSums> block_sums;
   TileSchedule schedule;
   double max_overlap_ratio = 0;  // largest so far
 };
@@ -39,13 +39,19 @@ std::array<double, 4 * 27> image_shifts(const Domain& domain) {
   return shifts;
 }
 
-// Of each tile, the sum over its blocks in order.
-void add_up(const kernel::Tiles& tiles, const std::vector<ContactSums>& blocks,
-            std::vector<ContactSums>& sums) {
-  sums.assign(tiles.tiles().size(), {});
-  for (std::size_t t = 0; t < sums.size(); ++t)
-    for (std::size_t k = tiles.tiles()[t].first_block; k < tiles.tiles()[t].last_block; ++k)
-      sums[t] += blocks[k];
+// Sum over the blocks of a tile in order.
+ContactSums add_up(const kernel::Tiles::Tile& tile, const std::vector<ContactSums>& blocks) {
+  ContactSums total;
+  for (std::size_t k = tile.first_block; k < tile.last_block; ++k) total += blocks[k];
+  return total;
+}
+
+ContactSums add_up(const std::vector<kernel::Tiles::Tile>& tiles, const std::vector<ContactSums>& blocks) {
+  if (tiles.size() == 1) return add_up(tiles[0], blocks);
+  std::vector<ContactSums> sums;
+  sums.reserve(tiles.size());
+  for (const kernel::Tiles::Tile& tile : tiles) sums.push_back(add_up(tile, blocks));
+  return total_of(sums);
 }
 
 }  // namespace
@@ -113,8 +119,7 @@ ContactSums Forces::evaluate(const Evaluation& e, ThreadPool& threads, const Fin
         finish_part(part, worker);
       });
   sum_loads(e.particles, e.loads);
-  add_up(work.tiles, work.block_sums, work.tile_sums);
-  ContactSums sums = total_of(work.tile_sums);
+  ContactSums sums = add_up(work.tiles.tiles(), work.block_sums);
   work.max_overlap_ratio = sums.max_overlap_ratio = std::max(work.max_overlap_ratio, sums.max_overlap_ratio);
   return sums;
 }
@@ -128,17 +133,21 @@ void Forces::collect(Particles& particles, std::size_t part) const {
 }
 
 void Forces::sum_loads(const Particles& particles, std::vector<scree_load>& loads) const {
-  const kernel::Tiles& tiles = work_->tiles;
+  const std::vector<kernel::Tiles::Tile>& tiles = work_->tiles.tiles();
   const std::size_t width = particles.load_width();
-  for (std::size_t plane = 0; plane < loads.size(); ++plane)
-    for (std::size_t k = 0; k < 3; ++k)
-      loads[plane].force[k] =
-          int(k) < features_.dimension
-              ? exact_sum(tiles.tiles(),
-                          [&](const kernel::Tiles::Tile& tile) {
-                            return particles.loads()[(tile.first_own + plane) * width + k];
-                          })
-              : 0;
+  const int components = features_.dimension;
+  for (std::size_t plane = 0; plane < loads.size(); ++plane) {
+    const auto slot = [&](const kernel::Tiles::Tile& tile) {
+      return particles.loads() + (tile.first_own + plane) * width;
+    };
+    double* const load = loads[plane].force;
+    load[2] = 0;
+    if (tiles.size() == 1)
+      std::copy_n(slot(tiles[0]), components, load);
+    else
+      for (int k = 0; k < components; ++k)
+        load[k] = exact_sum(tiles, [&](const kernel::Tiles::Tile& tile) { return slot(tile)[k]; });
+  }
 }
 
 Vec3 Forces::pair_force(std::size_t p) const {

@@ -213,12 +213,17 @@ void Stepper::PartSums::add(const PartSums& other) {
   work_to_begin += other.work_to_begin;
 }
 
-Stepper::PartSums Stepper::total() {
-  tile_sums_.assign(tiles_.count(), {});
-  for (std::size_t tile = 0; tile < tile_sums_.size(); ++tile)
-    tiles_.each_part(tile, [&](std::size_t part) { tile_sums_[tile].add(part_sums_[part]); });
-  if (tile_sums_.size() == 1) return tile_sums_[0];
-  const auto over_tiles = [&](const auto& term) { return exact_sum(tile_sums_, term); };
+Stepper::PartSums Stepper::total_of_tile(std::size_t tile) const {
+  PartSums sums;
+  tiles_.each_part(tile, [&](std::size_t part) { sums.add(part_sums_[part]); });
+  return sums;
+}
+
+Stepper::PartSums Stepper::total() const {
+  if (tiles_.count() == 1) return total_of_tile(0);
+  std::vector<PartSums> tiles;
+  for (std::size_t tile = 0; tile < tiles_.count(); ++tile) tiles.push_back(total_of_tile(tile));
+  const auto over_tiles = [&](const auto& term) { return exact_sum(tiles, term); };
   PartSums all;
   for (double BodySums::*const member : {&BodySums::potential, &BodySums::dissipation_rate_translation,
                                          &BodySums::dissipation_rate_rotation, &BodySums::work})
@@ -228,7 +233,7 @@ Stepper::PartSums Stepper::total() {
   all.momentum.magnitude = over_tiles([](const PartSums& tile) { return tile.momentum.magnitude; });
   all.work = over_tiles([](const PartSums& tile) { return tile.work; });
   all.work_to_begin = over_tiles([](const PartSums& tile) { return tile.work_to_begin; });
-  for (const PartSums& tile : tile_sums_) all.finite &= tile.finite;
+  for (const PartSums& tile : tiles) all.finite &= tile.finite;
   return all;
 }
 

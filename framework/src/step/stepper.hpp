@@ -88,7 +88,8 @@ class Stepper {
   void begin_walls(double step, double kick);
   double largest_square_speed() const;
   // Sums over all bodies, exact over tiles, so that their bits depend on no order of the tiles.
-  PartSums total();
+  PartSums total() const;
+  PartSums total_of_tile(std::size_t tile) const;
   // Evaluates forces and finishes all parts. Returns whether velocities and spins are finite.
   bool evaluate_forces(double elapsed, const Moves& moves);
   // Rotates bodies about the spins with which `moves` has moved them.
@@ -102,7 +103,7 @@ class Stepper {
 
   SimulationParts& parts_;
   BodyTiles tiles_;
-  std::vector<PartSums> part_sums_, tile_sums_;
+  std::vector<PartSums> part_sums_;
   bool bodies_advanced_ = false;  // the first half of the next substep has been taken
   double time_ = 0;               // (s)
   double force_time_ = 0;         // (s) of the last force evaluation
