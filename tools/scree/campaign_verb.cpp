@@ -6,10 +6,10 @@
 #include <cstdio>
 #include <map>
 #include <memory>
-#include <thread>
 
 #include <fmt/format.h>
 
+#include <scree/allowed_processors.hpp>
 #include <scree/campaign/report.hpp>
 #include <scree/counted.hpp>
 #include <scree/files/text.hpp>
@@ -38,7 +38,7 @@ std::filesystem::path directory_of(const campaign::Campaign& c, const CampaignAr
 campaign::ExecutionOptions options_of(const CampaignArguments& a, ProgressBar& bar) {
   campaign::ExecutionOptions options;
   options.studies = study_tables();
-  options.jobs = a.jobs ? a.jobs : std::max(1u, std::thread::hardware_concurrency() / a.threads);
+  options.jobs = a.jobs ? a.jobs : std::max(1u, allowed_processors() / a.threads);
   options.threads = a.threads;
   options.again = a.overwrite;
   options.plugin_directories = a.plugins.directories;

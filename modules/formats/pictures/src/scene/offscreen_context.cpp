@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
-#include <thread>
+#include <string>
 
 #include <GL/osmesa.h>
 #include <fmt/format.h>
@@ -17,6 +17,7 @@
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <scree/allowed_processors.hpp>
 #include <scree/error.hpp>
 #include <scree/threads.hpp>
 
@@ -66,16 +67,16 @@ void multiply(std::uint8_t* picture, const std::uint8_t* other, std::size_t valu
   for (std::size_t k = 0; k < values; ++k) picture[k] = std::uint8_t((picture[k] * other[k] + 127) / 255);
 }
 
-// Mesa starts a thread per processor and waits for ever for one that did not start; told so, it draws in this
-// thread.
-void draw_without_threads_if_there_are_none() {
+// Mesa starts a thread per processor of the computer, also of those that this process may not use, and waits
+// for ever for one that did not start; told so, it draws in this thread.
+void draw_with_the_threads_there_are() {
   constexpr const char* variable = "LP_NUM_THREADS";
   constexpr unsigned most_of_mesa = 32, of_its_cache = 1;
   const char* chosen = std::getenv(variable);
   const unsigned wanted =
-      chosen ? unsigned(std::strtoul(chosen, nullptr, 10)) : std::thread::hardware_concurrency();
-  if (wanted > 0 && !can_start_threads(std::min(wanted, most_of_mesa) + of_its_cache))
-    setenv(variable, "0", 1);
+      std::min(chosen ? unsigned(std::strtoul(chosen, nullptr, 10)) : allowed_processors(), most_of_mesa);
+  const bool possible = wanted == 0 || can_start_threads(wanted + of_its_cache);
+  setenv(variable, possible ? std::to_string(wanted).c_str() : "0", 1);
 }
 
 }  // namespace
@@ -115,7 +116,7 @@ struct OffscreenContext::Window {
   }
 
   static OSMesaContext create_context() {
-    draw_without_threads_if_there_are_none();
+    draw_with_the_threads_there_are();
     const int attributes[] = {OSMESA_FORMAT,
                               OSMESA_RGBA,
                               OSMESA_DEPTH_BITS,

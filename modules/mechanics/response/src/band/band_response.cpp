@@ -8,11 +8,11 @@
 #include <mutex>
 #include <numbers>
 #include <numeric>
-#include <thread>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include <scree/allowed_processors.hpp>
 #include <scree/error.hpp>
 #include <scree/response/band_response.hpp>
 #include <scree/thread_pool.hpp>
@@ -185,8 +185,7 @@ BandResponse solve_band(const LinearSystem& system, const Drive& drive,
   if (!(options.tolerance > 0))
     throw Error(fmt::format("BandOptions::tolerance is {:g}; give a number above 0", options.tolerance));
   const auto start = std::chrono::steady_clock::now();
-  const unsigned threads =
-      options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
+  const unsigned threads = options.threads > 0 ? options.threads : allowed_processors();
   BandResponse result = BandSolution(system, drive, frequencies_hz, options).run(threads);
   result.statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
