@@ -1,39 +1,20 @@
+#include "campaign_tasks.hpp"
 #include "program_verbs.hpp"
 #include "support/progress_bar.hpp"
 #include "support/study_tables.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <map>
 #include <memory>
 
 #include <fmt/format.h>
 
 #include <scree/allowed_processors.hpp>
-#include <scree/campaign/report.hpp>
 #include <scree/counted.hpp>
-#include <scree/files/text.hpp>
 
 namespace scree::tool {
 
 namespace {
-
-struct CampaignArguments {
-  std::vector<std::string> files;
-  std::string out;
-  unsigned jobs = 0, threads = 1;  // jobs 0: as many as the processor takes
-  std::vector<std::string> overrides;
-  bool list = false, overwrite = false, quiet = false;
-  PluginOptions plugins;
-};
-
-// That of one of the files: with several of them, a folder of its own in --out.
-std::filesystem::path directory_of(const campaign::Campaign& c, const CampaignArguments& a) {
-  constexpr auto kind = run::RunDirectory::Kind::campaign;
-  const std::filesystem::path own = run::RunDirectory::default_for(c.source, kind);
-  if (a.out.empty()) return own;
-  return a.files.size() > 1 ? std::filesystem::path(a.out) / own.filename() : std::filesystem::path(a.out);
-}
 
 campaign::ExecutionOptions options_of(const CampaignArguments& a, ProgressBar& bar) {
   campaign::ExecutionOptions options;
@@ -59,19 +40,15 @@ campaign::ExecutionOptions options_of(const CampaignArguments& a, ProgressBar& b
 }
 
 // Refuses what the campaign itself would refuse.
-ExitStatus list_points(const campaign::Campaign& c, const CampaignArguments& a, PluginHost& host) {
-  campaign::CampaignDirectory directory(directory_of(c, a), c, false);
+ExitStatus checked_list(const campaign::Campaign& c, const CampaignArguments& a, PluginHost& host) {
   {
+    campaign::CampaignDirectory directory(directory_of(c, a), c, false);
     ProgressBar bar(a.quiet);
     const campaign::ExecutionOptions options = options_of(a, bar);
     campaign::check(c, directory, options, host);
     if (*options.stop) return ExitStatus::interrupted;
   }
-  fmt::print("{}", files::escaped(campaign::list_report(c, directory.preparations(c, host),
-                                                        directory.outcomes(c, host)) +
-                                      campaign::leftover_report(directory.leftovers(c)),
-                                  files::Escapes::lines));
-  return ExitStatus::success;
+  return list_points(c, a, host);
 }
 
 campaign::Execution execute_with_bar(const campaign::Campaign& c, campaign::CampaignDirectory& directory,
@@ -81,27 +58,19 @@ campaign::Execution execute_with_bar(const campaign::Campaign& c, campaign::Camp
 }
 
 ExitStatus run_campaign(const campaign::Campaign& c, const CampaignArguments& a, PluginHost& host) {
-  if (a.list) return list_points(c, a, host);
+  if (a.list) return checked_list(c, a, host);
+  if (a.gather) return gather(c, a, host);
+  const auto with_bar = [&](auto* action) {
+    ProgressBar bar(a.quiet);
+    return action(c, a, options_of(a, bar), host);
+  };
+  if (a.print_tasks) return with_bar(print_tasks);
+  if (!a.task.empty()) return with_bar(do_task);
+  if (!a.on.empty()) return with_bar(submit);
   campaign::CampaignDirectory directory(directory_of(c, a), c, true);
   directory.files().report_lock(report_warning);
-  const campaign::Execution result = execute_with_bar(c, directory, a, host);
-  fmt::print("{}", files::escaped(
-                       campaign::text_report(c, result) + campaign::leftover_report(directory.leftovers(c)),
-                       files::Escapes::lines));
-  const std::filesystem::path& path = directory.files().path();
-  if (std::filesystem::exists(path / "table.csv"))
-    fmt::print("results in {}: report.html, table.csv{}, one directory per run with its log.txt\n",
-               files::escaped(path.string()), c.seeds.size() > 1 ? ", means.csv" : "");
-  if (result.interrupted) {
-    fmt::print("interrupted; run the same command again to continue\n");
-    return ExitStatus::interrupted;
-  }
-  if (result.count(campaign::Status::failed))
-    return result.blew_up ? ExitStatus::blow_up : ExitStatus::failure;
-  const auto is_met = [](const campaign::Outcome& o) { return o.unmet() == 0; };
-  const bool met = std::all_of(result.outcomes.begin(), result.outcomes.end(), is_met) &&
-                   std::all_of(result.preparations.begin(), result.preparations.end(), is_met);
-  return met ? ExitStatus::success : ExitStatus::failure;
+  refuse_queued(directory);
+  return report_campaign(c, directory, execute_with_bar(c, directory, a, host));
 }
 
 // Throws Error (bad_input) if two have one directory.
@@ -130,9 +99,11 @@ void check_campaigns(const std::vector<campaign::Campaign>& campaigns, const Cam
 
 // One after the other, whether they fail or not; the exit status is the worst.
 ExitStatus run_campaigns(const CampaignArguments& a) {
+  check_batch_options(a);
   PluginHost host = make_host(a.plugins);
   const std::vector<campaign::Campaign> campaigns = read_campaigns(a, host);
-  if (campaigns.size() > 1 && !a.list) check_campaigns(campaigns, a, host);
+  const bool runs = !a.list && !a.gather && !a.print_tasks && a.on.empty();
+  if (campaigns.size() > 1 && runs) check_campaigns(campaigns, a, host);
   ExitStatus worst = ExitStatus::success;
   for (const campaign::Campaign& c : campaigns) {
     worst = std::max(worst, run_campaign(c, a, host));
@@ -151,13 +122,28 @@ void add_campaign_verb(CommandLine& line) {
       .required();
   verb.option("--out", a->out, "Directory of the campaign, of several <DIR>/<file>; default campaigns/<file>")
       .shown_as("DIR");
-  verb.option("--jobs", a->jobs, "Concurrent runs (default: processors / threads)").between(1, 512);
+  verb.option("--jobs", a->jobs,
+              "Concurrent runs (default: processors that may be used / threads; of a task 1)")
+      .between(1, 512);
   verb.option("--threads", a->threads, "Threads of each run (default 1)").between(1, 1024);
   verb.option(
           "--set", a->overrides,
           "A line of [set], in place of that of the file; campaign.KEY of [campaign], prepare.KEY of [prepare]")
       .shown_as("KEY=VALUE");
-  verb.flag("--list", a->list, "List each preparation and run with its status; run nothing");
+  verb.flag("--list", a->list, "List each preparation and run with its status and job; run nothing");
+  verb.option("--on", a->on, "Submit what has not finished to this batch system, and return")
+      .one_of({"slurm"});
+  verb.option("--partition", a->partition, "Partition of the jobs; others in [slurm] of the file")
+      .shown_as("NAME");
+  verb.option("--time", a->time,
+              "Limit of time of a task, as of sbatch: 4:00:00; a run that exceeds it goes on")
+      .shown_as("TIME");
+  verb.option("--per-task", a->per_task, "Runs in a task (default 1), for runs of seconds")
+      .between(1, 100000);
+  verb.flag("--print-tasks", a->print_tasks,
+            "Print the tasks, a command each, for any batch system; run nothing");
+  verb.option("--task", a->task, "Do one task, unless it is done").shown_as("K");
+  verb.flag("--gather", a->gather, "Write the tables and the report of what has been run; run nothing");
   verb.flag("--overwrite", a->overwrite, "Begin all runs anew, also finished and interrupted ones");
   verb.flag("--quiet", a->quiet, "No progress, only the summary");
   add_plugin_options(verb, a->plugins);

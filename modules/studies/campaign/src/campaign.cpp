@@ -4,20 +4,8 @@
 
 #include <scree/campaign/campaign.hpp>
 #include <scree/campaign/campaign_directory.hpp>
-#include <scree/files/content_hash.hpp>
 
 namespace scree::campaign {
-
-namespace {
-
-// Another preparation has another directory, so that a state never changes under the runs that began from it.
-std::string key_of(const Inputs& inputs) {
-  std::string all = inputs.resolved_text + '\0' + inputs.hashes.bodies;
-  for (const auto& [name, hash] : inputs.hashes.plugins) all += '\0' + name + '\0' + hash;
-  return files::text_hash(all);
-}
-
-}  // namespace
 
 std::vector<std::string> Point::overrides() const {
   std::vector<std::string> texts;
@@ -45,10 +33,11 @@ Campaign branched(Campaign campaign, const PluginHost& host) {
   const auto preparation = std::make_shared<Campaign>(*campaign.preparation);
   std::vector<Point> all = std::move(preparation->points);
   preparation->points.clear();
+  // Another preparation has another directory, so that a state never changes under the runs that began from it.
   std::vector<std::string> keys;      // of preparation->points
   std::vector<std::size_t> place_of;  // of all: cases that prepare alike share a preparation
   for (Point& point : all) {
-    const std::string key = key_of(inputs_of(*preparation, point, host));
+    const std::string key = inputs_key(*preparation, point, host);
     const auto known = std::find(keys.begin(), keys.end(), key);
     place_of.push_back(std::size_t(known - keys.begin()));
     if (known != keys.end()) continue;

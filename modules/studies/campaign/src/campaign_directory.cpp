@@ -50,10 +50,7 @@ StatePath::~StatePath() { before_ ? setenv(state_path, before_->c_str(), 1) : un
 
 CampaignDirectory::CampaignDirectory(fs::path path, const Campaign& campaign, bool alone)
     : files_(std::move(path), run::RunDirectory::Existing::keep, run::RunDirectory::Kind::campaign) {
-  if (alone)
-    files_.take();
-  else
-    in_use_ = files::DirectoryLock::is_held(files_.path());
+  if (alone) files_.take();
   check_owner(files_.path(), campaign);
   if (campaign.preparation) states_.emplace(files_.path() / preparation_folder);
 }
@@ -81,10 +78,14 @@ std::vector<Outcome> CampaignDirectory::outcomes(const Campaign& campaign, const
 Outcome CampaignDirectory::outcome(const Campaign& campaign, const Point& point,
                                    const PluginHost& host) const {
   Outcome found = read_outcome(run(point), campaign, inputs_of(campaign, point, host));
-  if (found.status == Status::running && !in_use_) found.status = Status::interrupted;
+  if (found.status == Status::running && !is_written(point)) found.status = Status::interrupted;
   const bool prepares = fs::path(point.name).parent_path() == preparation_folder;
   if (prepares && found.status == Status::finished && !has_final_state(point)) found.status = Status::changed;
   return found;
+}
+
+bool CampaignDirectory::is_written(const Point& point) const {
+  return files::DirectoryLock::is_held(run(point));
 }
 
 bool CampaignDirectory::has_final_state(const Point& point) const {

@@ -116,14 +116,14 @@ void check_count(const Table& root, const Campaign& c) {
 
 // Overrides of the command line, by what they change.
 struct Overrides {
-  std::vector<std::string> campaign;     // as for Document
+  std::vector<std::string> campaign;     // and [slurm], as for Document
   std::vector<std::string> preparation;  // without "prepare."
   std::vector<std::string> runs;
 
   explicit Overrides(const std::vector<std::string>& all) {
     const std::string of_preparation = "prepare.";
     for (const std::string& text : all) {
-      if (text.starts_with("campaign."))
+      if (text.starts_with("campaign.") || text.starts_with("slurm."))
         campaign.push_back(text);
       else if (text.starts_with(of_preparation))
         preparation.push_back(text.substr(of_preparation.size()));
@@ -202,6 +202,23 @@ std::string read_methods(const Table& table) {
                     "give \"sweep\", \"pulse\", \"linear\" or \"all\", as for scree spectrum --by");
 }
 
+SlurmTable read_slurm(const Table& table) {
+  SlurmTable slurm;
+  const auto text = [&](const char* key) { return table.optional(key) ? table.string(key) : std::string(); };
+  slurm.partition = text("partition");
+  slurm.time = text("time");
+  slurm.memory = text("memory");
+  slurm.account = text("account");
+  slurm.qos = text("qos");
+  slurm.constraint = text("constraint");
+  if (table.optional("options")) slurm.options = table.strings("options");
+  for (std::size_t k = 0; k < slurm.options.size(); ++k)
+    if (!slurm.options[k].starts_with('-'))
+      throw table.error("options", k, fmt::format("'{}' is no option of sbatch", one_line(slurm.options[k])),
+                        "write each as one text, \"--mail-type=END\"");
+  return slurm;
+}
+
 // Quantities, a column of the table each.
 std::vector<std::string> read_collected(const Table& table) {
   const std::vector<std::string> names = table.strings("collect");
@@ -238,6 +255,7 @@ Campaign read_campaign(const std::filesystem::path& path, const std::vector<std:
   c.fixed = std::move(settings.fixed);
   c.parameters = std::move(settings.parameters);
   c.cases = read_cases(root);
+  c.slurm = read_slurm(root.table_or_empty("slurm"));
   c.preparation = read_preparation(root, c, table.place("seeds"), given.preparation);
   document.refuse_unused();
   if (c.preparation) c.state_key = state_key_of(c);

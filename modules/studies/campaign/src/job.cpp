@@ -64,6 +64,10 @@ std::string problem_of(const std::filesystem::path& log, const std::string& how)
   return problem.empty() ? "the run has no result" : files::one_line(problem, max_length);
 }
 
+std::string failed_with(const Point& preparation, const Outcome& outcome) {
+  return fmt::format("{} failed: {}", preparation.name, outcome.problem);
+}
+
 double share_in(const std::filesystem::path& log) {
   const std::vector<std::string> lines = last_lines(log);
   for (auto line = lines.rbegin(); line != lines.rend(); ++line) {

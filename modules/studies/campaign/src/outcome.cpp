@@ -73,8 +73,8 @@ void add_expectations(const Json& json, Outcome& outcome) {
 }  // namespace
 
 const char* status_name(Status status) {
-  static constexpr const char* names[] = {"missing", "changed", "interrupted",
-                                          "running", "failed",  "finished"};
+  static constexpr const char* names[] = {"missing", "changed",  "interrupted", "running",
+                                          "failed",  "finished", "queued"};
   return names[std::size_t(status)];
 }
 
@@ -104,7 +104,10 @@ Outcome read_outcome(const fs::path& directory, const Campaign& campaign, const 
     const Json json = run::parse_record(files::read_text(record));
     if (!json.is_object()) return outcome;
     outcome.status = status_of(json, inputs);
-    if (outcome.status == Status::failed) outcome.problem = json.value("error", "");
+    if (outcome.status == Status::failed) {
+      outcome.problem = json.value("error", "");
+      outcome.blew_up = json.value("exit_status", 0) == int(ExitStatus::blow_up);
+    }
     if (outcome.status != Status::finished) return outcome;
     std::vector<std::string> damaged;
     outcome.numbers = collected(directory, campaign.collect, damaged);

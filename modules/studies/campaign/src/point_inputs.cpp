@@ -4,6 +4,7 @@
 
 #include <scree/campaign/campaign.hpp>
 #include <scree/document/document.hpp>
+#include <scree/files/content_hash.hpp>
 #include <scree/run/set_up.hpp>
 #include <scree/scenario/quantities.hpp>
 
@@ -55,6 +56,19 @@ Inputs inputs_of(const Campaign& campaign, const Point& point, const PluginHost&
     if (!document.conflict().empty()) throw Error("", document.conflict(), "keep one of the two");
     return Inputs{document.resolved_text(),
                   run::hashes_of(scenario::input_files(document, campaign.scenario, host))};
+  });
+}
+
+std::string inputs_key(const Campaign& campaign, const Point& point, const PluginHost& host) {
+  return placed(campaign, point, [&] {
+    const auto document = document::Document::load(campaign.scenario, point.overrides());
+    const scenario::InputFiles files = campaign.preparation
+                                           ? scenario::InputFiles{{}, scenario::plugin_files(document, host)}
+                                           : scenario::input_files(document, campaign.scenario, host);
+    const run::InputHashes hashes = run::hashes_of(files);
+    std::string all = document.resolved_text() + '\0' + hashes.bodies;
+    for (const auto& [name, hash] : hashes.plugins) all += '\0' + name + '\0' + hash;
+    return files::text_hash(all);
   });
 }
 

@@ -129,15 +129,31 @@ std::string text_report(const Campaign& campaign, const Execution& execution) {
 }
 
 std::string list_report(const Campaign& campaign, const std::vector<Outcome>& preparations,
-                        const std::vector<Outcome>& outcomes) {
+                        const std::vector<Outcome>& outcomes,
+                        const std::map<std::string, std::string>& notes) {
   std::string text = title_line(campaign);
-  const auto add = [&](const Outcome& outcome, const std::string& name) {
-    text += fmt::format("{:<12} {}{}\n", status_name(outcome.status), name,
+  const auto add = [&](const Outcome& outcome, const Point& point, const std::string& name) {
+    const auto noted = notes.find(point.name);
+    const bool plain = noted == notes.end() || noted->second.empty();
+    text += fmt::format("{:<12} {}{}{}\n", status_name(outcome.status), name,
+                        plain ? "" : fmt::format(" ({})", noted->second),
                         outcome.problem.empty() ? "" : fmt::format(": {}", outcome.problem));
   };
   for (std::size_t k = 0; k < preparations.size(); ++k)
-    add(preparations[k], name_of(campaign.preparation->points[k]));
-  for (std::size_t k = 0; k < outcomes.size(); ++k) add(outcomes[k], campaign.points[k].name);
+    add(preparations[k], campaign.preparation->points[k], name_of(campaign.preparation->points[k]));
+  for (std::size_t k = 0; k < outcomes.size(); ++k)
+    add(outcomes[k], campaign.points[k], campaign.points[k].name);
+  return text;
+}
+
+std::string stopped_report(const Campaign& campaign, const std::vector<Outcome>& outcomes) {
+  std::string text;
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < outcomes.size(); ++k)
+    if (outcomes[k].status != Status::failed && !outcomes[k].problem.empty() && ++count <= max_listed)
+      text += fmt::format("stopped  {}: {}\n", campaign.points[k].name, outcomes[k].problem);
+  if (count > max_listed)
+    text += fmt::format("         and {} more, see campaign.json\n", count - max_listed);
   return text;
 }
 

@@ -92,11 +92,11 @@ void Session::carry_out(const std::function<void()>& start) {
       directory_.discard();
       throw;
     }
-    fail(files::record_line(error, in_place_));
+    fail(files::record_line(error, in_place_), error.status());
     directory_.check_in_place();  // a better reason than the file that could not be written
     files::rethrow_as_failure(error);
   } catch (const std::exception& error) {  // such as of memory
-    fail(error.what());
+    fail(error.what(), ExitStatus::failure);
     throw;
   }
 }
@@ -133,9 +133,10 @@ void Session::remove_page() {
 }
 
 // Further errors are discarded, so that the user sees the original one.
-void Session::fail(const std::string& reason) {
+void Session::fail(const std::string& reason, ExitStatus status) {
   constexpr std::size_t longest_line = 2000;
   error_ = files::one_line(reason, longest_line);
+  error_status_ = status == ExitStatus::bad_input ? ExitStatus::failure : status;  // results are there
   files::try_each([&] { study_->end_failed(); },
                   [&] {
                     room_.release();
@@ -148,7 +149,7 @@ void Session::fail(const std::string& reason) {
 void Session::write_record(const char* status) {
   using Json = nlohmann::ordered_json;
   Json json = {{"version", SCREE_VERSION}, {"commit", files::program_commit()}, {"status", status}};
-  if (!error_.empty()) json["error"] = error_;
+  if (!error_.empty()) json.update({{"error", error_}, {"exit_status", int(error_status_)}});
   json.update(study_->record());
   if (Json options = study_->options(); !options.empty()) json["options"] = std::move(options);
   json["warnings"] = warnings_;

@@ -46,6 +46,13 @@ struct Point {
   const Setting* find(const std::string& key) const;
 };
 
+// What a site's batch system is asked for, [slurm]; empty: its default. It never changes results, so that it is
+// not among the inputs of runs.
+struct SlurmTable {
+  std::string partition, time, memory, account, qos, constraint;
+  std::vector<std::string> options;  // further ones of sbatch, "--mail-type=END"
+};
+
 // A campaign file, read and checked: the runs are the product of cases, parameters and seeds, seeds fastest.
 struct Campaign {
   std::string title;
@@ -67,12 +74,13 @@ struct Campaign {
   // Keys in which points may differ: of the cases, then the parameters.
   std::vector<std::string> varying_keys() const;
   std::vector<std::size_t> preparation_of;  // of each point: index in preparation->points
+  SlurmTable slurm = {};
   // File in the directory of a point that states its status and inputs.
   const char* record() const { return methods.empty() ? "run.json" : "spectrum.json"; }
 };
 
 // Reads a campaign file. overrides: "KEY=VALUE" replaces a line of [set], "campaign.KEY=VALUE" a line of
-// [campaign], "prepare.KEY=VALUE" a setting of [prepare]. Throws Error "file:line:column: what is wrong; what
+// [campaign], "slurm.KEY=VALUE" one of [slurm], "prepare.KEY=VALUE" a setting of [prepare]. Throws Error "file:line:column: what is wrong; what
 // to do" for any error in the file, and if the scenario cannot be read.
 Campaign read_campaign(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
 
@@ -84,6 +92,11 @@ struct Inputs {
 
 // Throws Error at a setting that does not fit the scenario, and for a state that does not exist.
 Inputs inputs_of(const Campaign& campaign, const Point& point, const PluginHost& host);
+
+// A hash of the inputs of a point (16 hexadecimal digits) that is known before its preparation has been run:
+// of the scenario including the settings, files of bodies and plug-ins, but not of the prepared state, whose
+// name says from what it is made. Throws Error like inputs_of().
+std::string inputs_key(const Campaign& campaign, const Point& point, const PluginHost& host);
 
 // The campaign with all points beginning from the final states of their preparations, which are then named
 // "prepare/<hash of their inputs>"; unchanged without [prepare]. Throws Error like inputs_of() of a

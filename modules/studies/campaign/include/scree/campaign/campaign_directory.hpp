@@ -24,13 +24,14 @@ class StatePath {
   std::optional<std::string> before_;
 };
 
-// The directory of a campaign: one run directory per point, table.csv, means.csv, campaign.json, and prepare/
-// with one per preparation. It is locked by one campaign at a time, and by the runs it started until the last
-// of them has ended. States of preparations are found by this process and its children while this object
+// The directory of a campaign: one run directory per point, table.csv, means.csv, campaign.json, prepare/ with
+// one per preparation, and tasks/ with what was given to a batch system. It is locked by one campaign at a time,
+// and by the runs it started until the last of them has ended. Runs of tasks lock their own directories. States of preparations are found by this process and its children while this object
 // exists.
 class CampaignDirectory {
  public:
   static constexpr const char* preparation_folder = "prepare";  // with a run directory for each preparation
+  static constexpr const char* tasks_folder = "tasks";
   static constexpr const char* final_state = "final_state.h5";  // of a preparation; points begin from it
 
   // alone: takes the directory, which is created if it does not exist, and removed at the end if it is empty
@@ -45,9 +46,12 @@ class CampaignDirectory {
   // Outcome of each point so far, and of each preparation. Throws Error if settings do not fit the scenario.
   std::vector<Outcome> outcomes(const Campaign& campaign, const PluginHost& host) const;
   std::vector<Outcome> preparations(const Campaign& campaign, const PluginHost& host) const;
-  // Outcome of one point. A run recorded as running counts as interrupted if the directory is not in use. A
+  // Outcome of one point. A run recorded as running counts as interrupted if no process writes it. A
   // preparation that has finished without a final state counts as changed.
   Outcome outcome(const Campaign& campaign, const Point& point, const PluginHost& host) const;
+  // Whether a process has the directory of the run, also on another computer where the file system has locks
+  // for all of them.
+  bool is_written(const Point& point) const;
   // Whether the run of a point has a state from which it can go on.
   bool has_state(const Point& point) const;
   // Names of runs whose values are no longer part of the campaign.
@@ -58,7 +62,6 @@ class CampaignDirectory {
 
   run::RunDirectory files_;
   std::optional<StatePath> states_;  // of the preparations
-  bool in_use_ = false;              // by another campaign
 };
 
 }  // namespace scree::campaign

@@ -16,7 +16,8 @@ enum class Status {
   interrupted,  // stopped or killed before its end
   running,
   failed,
-  finished
+  finished,
+  queued  // waits in the queue of a batch system; only in lists
 };
 const char* status_name(Status status);
 
@@ -31,6 +32,7 @@ struct Outcome {
   };
   std::vector<Judged> expectations;
   std::vector<std::string> warnings = {};  // of a finished run
+  bool blew_up = false;                    // a failed run
 
   // A number of a finished run; NaN if it has none of this name.
   double number(const std::string& name) const;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -31,8 +32,12 @@ std::string text_report(const Campaign& campaign, const Execution& execution);
 // For a terminal: runs that are no longer part of the campaign; empty if there are none.
 std::string leftover_report(const std::vector<std::string>& names);
 
-// For a terminal: each preparation and each point with its status.
+// For a terminal: each preparation and each point with its status, and what is noted of its name.
 std::string list_report(const Campaign& campaign, const std::vector<Outcome>& preparations,
-                        const std::vector<Outcome>& outcomes);
+                        const std::vector<Outcome>& outcomes,
+                        const std::map<std::string, std::string>& notes = {});
+
+// For a terminal: runs that were stopped, with the last line of the log of each.
+std::string stopped_report(const Campaign& campaign, const std::vector<Outcome>& outcomes);
 
 }  // namespace scree::campaign

@@ -199,7 +199,7 @@ class Session {
  private:
   void carry_out(const std::function<void()>& start);
   void end(bool complete);
-  void fail(const std::string& reason);
+  void fail(const std::string& reason, ExitStatus status);
   void write_record(const char* status);
   void write_page();
   void remove_page();
@@ -212,8 +212,9 @@ class Session {
   bool in_place_;  // whether it cannot take another directory
   Study* study_ = nullptr;
   InputHashes inputs_;
-  std::vector<std::string> warnings_;  // "<what>; <cure>"
-  std::string error_;                  // one line, if it failed
+  std::vector<std::string> warnings_;              // "<what>; <cure>"
+  std::string error_;                              // one line, if it failed
+  ExitStatus error_status_ = ExitStatus::failure;  // of the program then
   bool interrupted_ = false, first_state_ = true, state_failed_ = false;
   std::optional<State> kept_;  // the latest state that is not in the file
   Cadence cadence_;
