@@ -98,9 +98,10 @@ void refuse_queued(const CampaignDirectory& directory) {
     return;
   const campaign::RunsInQueue queue = campaign::runs_in_queue(directory);
   if (queue.jobs > 0)
-    throw Error(directory.files().path().string(),
-                fmt::format("{} in the queue of Slurm", queue.jobs == 1 ? "a job of it is" : "jobs of it are"),
-                fmt::format("wait for them, add --on slurm, or cancel them: scancel --name {}", queue.name));
+    throw Error(
+        directory.files().path().string(),
+        fmt::format("{} in the queue of Slurm", queue.jobs == 1 ? "a job of it is" : "jobs of it are"),
+        fmt::format("wait for them, add --on slurm, or cancel them: scancel --name {}", queue.name));
 }
 
 ExitStatus list_points(const campaign::Campaign& c, const CampaignArguments& a, const PluginHost& host) {

@@ -33,7 +33,8 @@ Campaign branched(Campaign campaign, const PluginHost& host) {
   const auto preparation = std::make_shared<Campaign>(*campaign.preparation);
   std::vector<Point> all = std::move(preparation->points);
   preparation->points.clear();
-  // Another preparation has another directory, so that a state never changes under the runs that began from it.
+  // Another preparation has another directory, so that a state never changes under the runs that began from
+  // it.
   std::vector<std::string> keys;      // of preparation->points
   std::vector<std::size_t> place_of;  // of all: cases that prepare alike share a preparation
   for (Point& point : all) {

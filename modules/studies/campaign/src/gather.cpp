@@ -13,7 +13,7 @@ void add_log(const Point& point, const CampaignDirectory& directory, Outcome& ou
   std::error_code failed;
   const bool ended = outcome.status == Status::missing || outcome.status == Status::interrupted;
   if (!ended || directory.is_written(point) || !std::filesystem::exists(directory.log(point), failed)) return;
-  outcome.problem = problem_of(directory.log(point), "");
+  outcome.problem = directory.has_state(point) ? "its state is saved" : problem_of(directory.log(point), "");
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ class Submitter {
         work_(campaign, directory, options, host, state_) {
     result_.name = jobs_.name();
     result_.finished = state_.finished_before;
-    jobs_.adopt(queue_);
+    if (jobs_.adopt(queue_)) jobs_.write();
   }
 
   Submission submit() {

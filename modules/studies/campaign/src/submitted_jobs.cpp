@@ -64,14 +64,16 @@ void SubmittedJobs::write() const {
 
 std::string SubmittedJobs::comment_of(std::size_t first) { return fmt::format("{}{}", comment_begin, first); }
 
-void SubmittedJobs::adopt(const std::vector<QueuedJob>& queue) {
+bool SubmittedJobs::adopt(const std::vector<QueuedJob>& queue) {
   const auto known = [&](const std::string& job) {
     return std::any_of(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.job == job; });
   };
+  const bool any = known("");
   for (Entry& entry : entries_)
     for (const QueuedJob& job : queue)
       if (entry.job.empty() && first_of(job) == entry.first && !known(job.job)) entry.job = job.job;
   std::erase_if(entries_, [](const Entry& entry) { return entry.job.empty(); });
+  return any;
 }
 
 std::string SubmittedJobs::submit(const Array& array, const std::vector<std::string>& words) {

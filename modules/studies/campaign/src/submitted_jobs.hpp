@@ -25,7 +25,9 @@ class SubmittedJobs {
   bool empty() const { return entries_.empty(); }
   // Gives entries without a job that of the queue, if there is one: whoever submitted it ended before it was
   // written down. Others are removed.
-  void adopt(const std::vector<QueuedJob>& queue);
+  // Returns whether there were any.
+  bool adopt(const std::vector<QueuedJob>& queue);
+  void write() const;
   // Submits an array of tasks with these words, between two records.
   std::string submit(const Array& array, const std::vector<std::string>& words);
   // Throws Error if a job that was submitted failed without a trace in the directory.
@@ -38,8 +40,6 @@ class SubmittedJobs {
   static std::string comment_of(std::size_t first);
 
  private:
-  void write() const;
-
   const CampaignDirectory& directory_;
   std::string name_;
   std::vector<Entry> entries_;

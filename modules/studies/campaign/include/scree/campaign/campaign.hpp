@@ -46,8 +46,8 @@ struct Point {
   const Setting* find(const std::string& key) const;
 };
 
-// What a site's batch system is asked for, [slurm]; empty: its default. It never changes results, so that it is
-// not among the inputs of runs.
+// What a site's batch system is asked for, [slurm]; empty: its default. It never changes results, so that it
+// is not among the inputs of runs.
 struct SlurmTable {
   std::string partition, time, memory, account, qos, constraint;
   std::vector<std::string> options;  // further ones of sbatch, "--mail-type=END"
@@ -80,8 +80,9 @@ struct Campaign {
 };
 
 // Reads a campaign file. overrides: "KEY=VALUE" replaces a line of [set], "campaign.KEY=VALUE" a line of
-// [campaign], "slurm.KEY=VALUE" one of [slurm], "prepare.KEY=VALUE" a setting of [prepare]. Throws Error "file:line:column: what is wrong; what
-// to do" for any error in the file, and if the scenario cannot be read.
+// [campaign], "slurm.KEY=VALUE" one of [slurm], "prepare.KEY=VALUE" a setting of [prepare]. Throws Error
+// "file:line:column: what is wrong; what to do" for any error in the file, and if the scenario cannot be
+// read.
 Campaign read_campaign(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
 
 // Inputs of the run of a point, as stored in its record.

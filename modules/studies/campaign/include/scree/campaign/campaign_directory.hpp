@@ -24,10 +24,10 @@ class StatePath {
   std::optional<std::string> before_;
 };
 
-// The directory of a campaign: one run directory per point, table.csv, means.csv, campaign.json, prepare/ with
-// one per preparation, and tasks/ with what was given to a batch system. It is locked by one campaign at a time,
-// and by the runs it started until the last of them has ended. Runs of tasks lock their own directories. States of preparations are found by this process and its children while this object
-// exists.
+// The directory of a campaign: one run directory per point, table.csv, means.csv, campaign.json, prepare/
+// with one per preparation, and tasks/ with what was given to a batch system. It is locked by one campaign at
+// a time, and by the runs it started until the last of them has ended. Runs of tasks lock their own
+// directories. States of preparations are found by this process and its children while this object exists.
 class CampaignDirectory {
  public:
   static constexpr const char* preparation_folder = "prepare";  // with a run directory for each preparation

@@ -26,8 +26,8 @@ struct Submission {
 };
 
 // Gives what is neither finished nor in the queue to Slurm: an array for the preparations, arrays for the
-// points, which wait for theirs, and a job that gathers. The directory has been taken. Throws Error (bad_input)
-// if a point is refused, and if Slurm refuses, then with what was submitted before.
+// points, which wait for theirs, and a job that gathers. The directory has been taken. Throws Error
+// (bad_input) if a point is refused, and if Slurm refuses, then with what was submitted before.
 Submission submit(const Campaign& campaign, CampaignDirectory& directory, const SubmissionOptions& submission,
                   const ExecutionOptions& options, PluginHost& host);
 
@@ -40,8 +40,8 @@ struct RunsInQueue {
 };
 RunsInQueue runs_in_queue(const CampaignDirectory& directory);
 
-// Marks the runs of points or preparations that wait in jobs as queued. Returns, by name, which job has or had
-// each run and whether its state is saved: "job 12_3, Priority, saved".
+// Marks the runs of points or preparations that wait in jobs as queued. Returns, by name, which job has or
+// had each run and whether its state is saved: "job 12_3, Priority, saved".
 std::map<std::string, std::string> mark_queued(const RunsInQueue& queue, const Campaign& campaign,
                                                const CampaignDirectory& directory,
                                                std::vector<Outcome>& outcomes);

@@ -17,8 +17,8 @@ struct Task {
   std::vector<std::string> inputs;  // inputs_key() of each when the task was listed
 };
 
-// tasks/tasks.json in the directory of a campaign. Tasks are only added, so that the number of a task means the
-// same as long as it waits in a queue, whatever the campaign file says by then.
+// tasks/tasks.json in the directory of a campaign. Tasks are only added, so that the number of a task means
+// the same as long as it waits in a queue, whatever the campaign file says by then.
 class TaskList {
  public:
   // Of a directory; empty if it has none. Throws Error if it cannot be read.
@@ -53,10 +53,10 @@ struct TaskOptions {
   unsigned restarts = 0;  // of the task by the batch system so far
 };
 
-// Does a task, without tables: its runs that have finished are kept, interrupted ones go on, and a preparation
-// that is missing is made first, or waited for while another task makes it. Throws Error if there is no such
-// task, if the campaign is no longer that of the list, if another process writes a run for longer than the
-// patience, and if a run was stopped before its first further step after the third restart.
+// Does a task, without tables: its runs that have finished are kept, interrupted ones go on, and a
+// preparation that is missing is made first, or waited for while another task makes it. Throws Error if there
+// is no such task, if the campaign is no longer that of the list, if another process writes a run for longer
+// than the patience, and if a run was stopped before its first further step after the third restart.
 Execution run_task(const Campaign& campaign, CampaignDirectory& directory, std::size_t number,
                    const ExecutionOptions& options, const TaskOptions& task, PluginHost& host);
 
