@@ -8,11 +8,13 @@ namespace scree::campaign {
 
 namespace {
 
-// A run that was refused leaves only a log.
+// A run that was refused leaves only a log, and has failed.
 void add_log(const Point& point, const CampaignDirectory& directory, Outcome& outcome) {
   std::error_code failed;
   const bool ended = outcome.status == Status::missing || outcome.status == Status::interrupted;
   if (!ended || directory.is_written(point) || !std::filesystem::exists(directory.log(point), failed)) return;
+  if (outcome.status == Status::missing && !reported_in(directory.log(point)).empty())
+    outcome.status = Status::failed;
   outcome.problem = directory.has_state(point) ? "its state is saved" : problem_of(directory.log(point), "");
 }
 

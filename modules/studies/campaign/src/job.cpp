@@ -24,6 +24,8 @@ std::vector<std::string> run_words(const Job& job, const std::string& directory)
   return words;
 }
 
+constexpr std::size_t longest_problem = 1000;  // (bytes)
+
 // Non-blank lines among the last 8192 bytes.
 std::vector<std::string> last_lines(const std::filesystem::path& log) {
   constexpr std::streamoff max_bytes = 8192;
@@ -50,18 +52,21 @@ std::vector<std::string> command_of(const Job& job, const std::filesystem::path&
   return words;
 }
 
-std::string problem_of(const std::filesystem::path& log, const std::string& how) {
+std::string reported_in(const std::filesystem::path& log) {
   constexpr std::string_view prefix = "scree: ", warning = "scree: warning: ";
-  constexpr std::size_t max_length = 1000;
   const std::vector<std::string> lines = last_lines(log);
   const auto reported = std::find_if(lines.rbegin(), lines.rend(), [&](const auto& line) {
     return line.starts_with(prefix) && !line.starts_with(warning);
   });
-  std::string problem = reported != lines.rend() ? reported->substr(prefix.size())
-                        : lines.empty()          ? ""
-                                                 : lines.back();
+  return reported == lines.rend() ? "" : files::one_line(reported->substr(prefix.size()), longest_problem);
+}
+
+std::string problem_of(const std::filesystem::path& log, const std::string& how) {
+  std::string problem = reported_in(log);
+  if (problem.empty())
+    if (const std::vector<std::string> lines = last_lines(log); !lines.empty()) problem = lines.back();
   if (!how.empty()) problem = problem.empty() ? how : fmt::format("{} ({})", problem, how);
-  return problem.empty() ? "the run has no result" : files::one_line(problem, max_length);
+  return problem.empty() ? "the run has no result" : files::one_line(problem, longest_problem);
 }
 
 std::string failed_with(const Point& preparation, const Outcome& outcome) {

@@ -23,6 +23,8 @@ struct Job {
 std::vector<std::string> command_of(const Job& job, const std::filesystem::path& directory,
                                     const ExecutionOptions& options);
 
+// The last line "scree: ..." of a log that is no warning, without that prefix; empty if there is none.
+std::string reported_in(const std::filesystem::path& log);
 // Reason why a run has not finished: the last line "scree: ..." of its log without that prefix, else its last
 // line; then `how` its process ended, in brackets.
 std::string problem_of(const std::filesystem::path& log, const std::string& how);

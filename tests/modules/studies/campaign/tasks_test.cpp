@@ -104,6 +104,7 @@ TEST_CASE("gathering tells what runs have become, whoever ran them", "[tasks]") 
   CHECK(now.outcomes[1].status == Status::interrupted);
   CHECK(now.outcomes[1].problem == "some words");
   CHECK(now.outcomes[2].status == Status::running);
+  CHECK(now.outcomes[3].status == Status::failed);
   CHECK(now.outcomes[3].problem == "scene.toml:4:8: a reason; a cure");
   CHECK_FALSE(now.blew_up);
 }
