@@ -20,7 +20,16 @@ trap stop EXIT
 cp "$here"/*.toml "$folder"
 cd "$folder"
 scree() { "$program" campaign campaign.toml "$@"; }
-submit() { scree --out out --on slurm --partition low > submit.log 2>&1; }
+# The job that gathers may have the directory at this moment.
+submit() {
+  local k
+  for k in {1..50}; do
+    scree --out out --on slurm --partition low > submit.log 2>&1 && return
+    grep -q 'another campaign is running there' submit.log || return 1
+    sleep 0.2
+  done
+  return 1
+}
 fail() {
   echo "FAILED: $*"
   tail -n 20 submit.log out/tasks/*.txt node/slurmctld.log
@@ -70,16 +79,22 @@ repair() {
 }
 kinds=(preempt cancel warn kill_run kill_task requeue preempt cancel kill_run lose_node)
 
+# Runs with two processes. One that a run has started for a moment, to look at a plug-in, is that run.
+runs_twice() {
+  local all process words parent
+  all=$(processes ' (run|resume) ')
+  while read -r process words; do
+    parent=$(sed -n 's/^PPid:[[:space:]]*//p' "/proc/$process/status" 2> gone.log) || continue
+    grep -q "^$parent " <<< "$all" || grep -oE ' out/[^ ]*' <<< " $words"
+  done <<< "$all" | sort | uniq -d
+}
+
 # No run has two processes, and one that has finished is not touched again.
 declare -A finished
 look() {
-  local run twice all process words parent
-  all=$(processes ' (run|resume) ')
-  # A process that a run has started for a moment, to look at a plug-in, is that run.
-  twice=$(while read -r process words; do
-    parent=$(sed -n 's/^PPid:[[:space:]]*//p' "/proc/$process/status" 2> gone.log) || true
-    grep -q "^$parent " <<< "$all" || grep -oE ' out/[^ ]*' <<< " $words"
-  done <<< "$all" | sort | uniq -d) || true
+  local run hash twice
+  twice=$(runs_twice) || true
+  [[ -z $twice ]] || { sleep 0.3; twice=$(runs_twice) || true; }
   [[ -z $twice ]] || fail "two processes of $twice"
   for run in out/*seed=* out/prepare/*; do
     grep -qs '"status": "finished"' "$run/run.json" || continue

@@ -61,11 +61,13 @@ std::vector<Outcome> CampaignDirectory::preparations(const Campaign& campaign, c
 
 std::vector<Outcome> CampaignDirectory::outcomes(const Campaign& campaign, const PluginHost& host) const {
   std::vector<Outcome> all;
+  // One that goes on removes the final state of a stop between its state and its record.
+  const std::vector<Outcome> made = preparations(campaign, host);
   for (std::size_t k = 0; k < campaign.points.size(); ++k) {
     const Point& point = campaign.points[k];
     std::error_code failed;
     const bool prepared =
-        !campaign.preparation || has_final_state(campaign.preparation->points[campaign.preparation_of[k]]);
+        !campaign.preparation || made[campaign.preparation_of[k]].status == Status::finished;
     if (prepared)
       all.push_back(outcome(campaign, point, host));
     else  // its inputs are not known yet

@@ -101,3 +101,22 @@ TEST_CASE("while its preparation is not there, a run is missing or changed", "[c
   std::filesystem::remove(directory.run(c.preparation->points[0]) / "final_state.h5");
   CHECK(directory.preparations(c, test::host())[0].status == Status::changed);
 }
+
+TEST_CASE("a run does not count while its preparation goes on, which removes its final state", "[campaign]") {
+  std::string bare = test::discs;
+  for (const char* line : {"lattice = { kind = 'square', count = [3, 3], gap = 0.1 }\n", "radius = 0.01\n",
+                           "random_velocity = 0.1\n"})
+    bare = test::with(bare, line, "");
+  const CampaignFolder folder("[prepare]\nscenario = 'prepare.toml'\n", bare);
+  folder.folder().write("prepare.toml", test::discs);
+  const Campaign c = branched(folder.read(), test::host());
+  CampaignDirectory directory(folder.folder() / "campaign", c, true);
+  make_run(*c.preparation, 0, directory.run(c.preparation->points[0]));
+  make_run(c, 0, directory.run(c.points[0]));
+  CHECK(directory.outcomes(c, test::host())[0].status == Status::finished);
+  // Stopped between the two.
+  const std::string record = "campaign/" + c.preparation->points[0].name + "/run.json";
+  const std::string text = test::text_of(folder.folder() / record);
+  folder.folder().write(record, test::with(text, "\"finished\"", "\"interrupted\""));
+  CHECK(directory.outcomes(c, test::host())[0].status == Status::changed);
+}
