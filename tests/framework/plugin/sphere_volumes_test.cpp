@@ -77,6 +77,38 @@ TEST_CASE("the volume of a sphere in a box agrees with sums over lines", "[volum
   }
 }
 
+TEST_CASE("planes close to the centre of a sphere cut off the right volume", "[volumes]") {
+  const Vec3 low = {-unlimited, -unlimited, -unlimited};
+  for (double size = 1e-17; size < 0.5; size *= 1.7)
+    for (const double b : {size, -size})
+      for (int k = 0; k < 3; ++k) {
+        INFO("plane " << b << " across axis " << k);
+        Vec3 high = {unlimited, unlimited, unlimited};
+        high[k] = b;
+        const double cap = std::numbers::pi * (1 + b) * (1 + b) * (2 - b) / 3;
+        CHECK(std::abs(sphere_in_box({}, 1, low, high) - cap) < volume_round_off);
+        // A second plane leaves half of a cap, and b times the section of it; b³ is left out.
+        if (size > 1e-6) continue;
+        const double a = 0.3, section = std::acos(a) - a * std::sqrt(1 - a * a);
+        const double half_cap = std::numbers::pi * (1 - a) * (1 - a) * (2 + a) / 6;
+        Vec3 corner = low;
+        corner[(k + 1) % 3] = a;
+        CHECK(std::abs(sphere_in_box({}, 1, corner, high) - half_cap - b * section) < volume_round_off);
+      }
+}
+
+TEST_CASE("shallow segments of a disc have their area", "[volumes]") {
+  const double radius = 0.3;
+  for (double depth = 1e-15; depth < 1e-6; depth *= 1.7) {
+    // R² 4/3 √2 h^(3/2) (1 − 3h/20), with the h that round-off of the line's place leaves.
+    const double line = radius * (1 - depth), h = (radius - line) / radius;
+    const double segment =
+        radius * radius * 4.0 / 3 * std::numbers::sqrt2 * h * std::sqrt(h) * (1 - 0.15 * h);
+    const Vec3 low = {line, -unlimited, 0}, high = {unlimited, unlimited, 0};
+    CHECK(std::abs(disc_in_rectangle({}, radius, low, high) - segment) < volume_round_off * radius * radius);
+  }
+}
+
 TEST_CASE("parts of a sphere, and of a disc, add up to the whole", "[volumes]") {
   std::mt19937_64 generator(6);
   std::uniform_real_distribution<double> place(-1.2, 1.2);

@@ -27,10 +27,10 @@ inline double sphere_beyond(double radius, double a) {
 // ρ² = R² − x²,  s² = q² − x².
 inline double wedge_integral(double radius, double b, double x) {
   const double r2 = radius * radius, q = std::sqrt(std::max(0.0, r2 - b * b));
-  const double rho = std::sqrt(std::max(0.0, r2 - x * x)), s = std::sqrt(std::max(0.0, (q - x) * (q + x)));
-  const double end = b > 0 ? 0 : b < 0 ? std::numbers::pi : 0.5 * std::numbers::pi;  // where ρ = 0
-  const double angle = rho > 0 ? std::acos(std::clamp(b / rho, -1.0, 1.0)) : end;
-  const double turn = q > 0 ? std::asin(std::clamp(x / q, -1.0, 1.0)) : 0;
+  const double s = std::sqrt(std::max(0.0, (q - x) * (q + x)));
+  // acos(b/ρ) and asin(x/q) from the same s: errors of s cancel in the sum, however small b is.
+  const double angle = s > 0 || b != 0 ? std::atan2(s, b) : 0.5 * std::numbers::pi;
+  const double turn = std::atan2(x, s);
   return (r2 - x * x / 3) * x * angle + 2.0 / 3 * r2 * radius * std::atan2(b * x, radius * s) -
          2.0 / 3 * b * x * s - (r2 - b * b / 3) * b * turn;
 }
@@ -79,7 +79,8 @@ inline double sphere_in_octant(double radius, double a, double b, double c) {
 // Area of a disc of radius R at the origin in x > a.
 inline double disc_beyond(double radius, double a) {
   a = clamp_to(a, radius);
-  return radius * radius * std::acos(a / radius) - a * std::sqrt((radius - a) * (radius + a));
+  const double half_chord = std::sqrt((radius - a) * (radius + a));
+  return radius * radius * std::atan2(half_chord, a) - a * half_chord;
 }
 
 // Area of a disc in x > a, y > b.
