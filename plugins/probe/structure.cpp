@@ -58,7 +58,8 @@ struct StructureProbe {
       "g_<k> = Σ_i n_i/(ρ Σ_i V_i)   n_i: centres in class k: (k − 1) w ≤ r < k w of body i, w = largest/classes;\n"
       "V_i: volume of this shell in the region, exact; ρ: centres in the region over its volume. No centre is within a\n"
       "radius of a wall: region = \"box\" away from walls gives g(r) of the interior\n"
-      "rattler: a body that is not fixed with fewer than rattler_below contacts, those with rattlers not counted",
+      "rattler: a body that is not fixed with fewer than rattler_below contacts, those with rattlers not counted;\n"
+      "region (enclosed or box) limits g(r) alone: rattlers and coordination are of the whole scene",
       "—"};
 
   void declare(scree::Declaration& d) {
