@@ -2,8 +2,6 @@
 
 #include "scene_camera.hpp"
 
-#include <array>
-#include <optional>
 #include <vector>
 
 namespace scree::pictures {
@@ -13,9 +11,6 @@ struct HalfSpace {
   Point normal;
   double offset;
 };
-
-// Ends along each axis (m), absent: none.
-using Cut = std::array<std::optional<std::array<double, 2>>, 3>;
 
 // What lies between the ends.
 std::vector<HalfSpace> half_spaces(const Cut& cut);

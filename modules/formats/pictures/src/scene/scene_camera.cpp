@@ -77,13 +77,16 @@ SceneBox scene_box(const Frame& frame) {
   return box;
 }
 
-SceneBox box_of_bodies(const Frame& frame) {
+SceneBox box_of_bodies(const Frame& frame, const Cut& cut) {
   constexpr double margin = 0.03;
   SceneBox box = particle_box(frame);
   const double room = margin * box.diagonal();
   for (int k = 0; k < frame.dimension; ++k) {
     box.lower[k] -= room;
     box.upper[k] += room;
+    if (!cut[k]) continue;
+    box.lower[k] = std::max(box.lower[k], (*cut[k])[0]);
+    box.upper[k] = std::min(box.upper[k], (*cut[k])[1]);
   }
   if (frame.dimension == 2) box.lower[2] = box.upper[2] = 0;
   return box;

@@ -3,6 +3,7 @@
 #include "point.hpp"
 
 #include <array>
+#include <optional>
 #include <string>
 
 #include <scree/pictures/frame.hpp>
@@ -10,6 +11,9 @@
 class vtkRenderer;
 
 namespace scree::pictures {
+
+// Ends along each axis (m), absent: none.
+using Cut = std::array<std::optional<std::array<double, 2>>, 3>;
 
 // Region that a picture shows (m).
 struct SceneBox {
@@ -23,8 +27,8 @@ struct SceneBox {
 
 // The box of the frame, or of its particles if it has none, enlarged to include near-by walls.
 SceneBox scene_box(const Frame& frame);
-// The box of its particles, with a margin.
-SceneBox box_of_bodies(const Frame& frame);
+// The box of its particles with a margin, as far as the cut leaves it.
+SceneBox box_of_bodies(const Frame& frame, const Cut& cut);
 
 // Unit vectors of the picture: right, up, and towards the viewer.
 struct ViewAxes {

@@ -137,8 +137,9 @@ Picture picture_of(OffscreenContext& context, const Frame& whole, const ArrowFie
   const Frame& frame = spaces.empty() ? whole : part;
   const ViewAxes axes = options.direction && frame.dimension == 3 ? axes_towards(*options.direction)
                                                                   : view_axes(options.view, frame.dimension);
-  const SceneBox box =
-      options.follow_bodies && frame.particle_count() > 0 ? box_of_bodies(frame) : scene_box(frame);
+  const SceneBox box = options.follow_bodies && frame.particle_count() > 0
+                           ? box_of_bodies(frame, arrows ? Cut() : options.cut)
+                           : scene_box(frame);
   const SceneLayout layout = SceneLayout::of_size(options.width, options.height, options.scale_bar);
 
   vtkNew<vtkRenderer> scene, overlay;

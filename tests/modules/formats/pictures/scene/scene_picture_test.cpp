@@ -161,3 +161,18 @@ TEST_CASE("shadows darken what lies between other bodies, and nothing else", "[s
     for (int row = 0; row < usual.height; ++row)
       if (shaded.at(column, row) != usual.at(column, row)) FAIL(column << ' ' << row);
 }
+
+// The right half of a sphere, in a box from the cut to a margin of 3 % of its diagonal beyond the sphere: its
+// centroid, 4 R/3π = 0.42 R from the cut, is 0.13 R left of the middle. With the whole sphere in the box it
+// is 0.42 R right of it.
+TEST_CASE("a frame that follows bodies ends where they are cut", "[snapshot]") {
+  const auto is_ink = [](const Rgb& c) { return c[0] < 250 && c[1] < 250; };
+  RenderOptions options = by_speed("z");
+  options.follow_bodies = true;
+  const Blob whole = find_blob(draw(single(3), options), is_ink);
+  options.cut[0] = {0.5, 1};
+  const Blob half = find_blob(draw(single(3), options), is_ink);
+  REQUIRE(half.pixels > 1000);
+  const double radius = std::sqrt(2 * half.pixels / 3.14159265);
+  CHECK(std::abs(half.x - whole.x) < 0.2 * radius);
+}
