@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -44,7 +45,9 @@ void Series::add(double time, const std::vector<double>& row) {
   }
   fmt::memory_buffer line;
   fmt::format_to(std::back_inserter(line), "{}", time);
-  for (const double number : row) fmt::format_to(std::back_inserter(line), ",{}", number);
+  // The sign of 0/0 differs between processors and compilers.
+  for (const double number : row)
+    fmt::format_to(std::back_inserter(line), ",{}", std::isnan(number) ? std::abs(number) : number);
   if (staged_) fmt::format_to(std::back_inserter(line), ",{}", stage_);
   line.push_back('\n');
   file_->add({line.data(), line.size()});

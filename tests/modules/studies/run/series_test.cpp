@@ -82,6 +82,7 @@ TEST_CASE("the columns of a series are read back from its file with the same bit
   CHECK(same_bits(series.column("time"), times));
   CHECK(same_bits(series.column("a"), odd));
   CHECK(std::signbit(series.column("b")[0]));
+  CHECK(text_of(folder / "series/p.csv").find("-nan") == std::string::npos);
   CHECK(series.bytes() == std::filesystem::file_size(folder / "series/p.csv"));
   CHECK_THROWS_WITH(series.column("c"),
                     Catch::Contains("p.csv:1:1: there is no column 'c'; leave the files of a run alone"));
