@@ -118,8 +118,8 @@ class GroupMotion {
     group_.refuse_unused();  // perhaps a misspelt key
     throw group_.error(
         fmt::format("group '{}' is given nothing", shown()),
-        "add fixed = true, velocity = [x, y, z] or force = [x, y, z], or name it in groups or leave_out "
-        "of a [[probe]]");
+        "add fixed = true, velocity = [x, y, z] or force = [x, y, z], name it in groups or leave_out "
+        "of a [[probe]], or show it in pictures with snapshot.color_by = \"group\"");
   }
   const char* key_of(int component) const {
     return component < freedom::first_rotation ? group_keys.velocity.name.c_str()

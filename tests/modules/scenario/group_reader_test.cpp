@@ -115,7 +115,7 @@ TEST_CASE("a group that a scene cannot have is refused with its place and a cure
   CHECK(
       refused_group("name = 'g'\nwhere.ids = [1]") ==
       "scene.toml:27:1: group 'g' is given nothing; add fixed = true, velocity = [x, y, z] or force = [x, y, z], "
-      "or name it in groups or leave_out of a [[probe]]");
+      "name it in groups or leave_out of a [[probe]], or show it in pictures with snapshot.color_by = \"group\"");
   CHECK(refused_group("fixed = true\nwhere.ids = [1]").starts_with("scene.toml:27:1: "));
   CHECK_THAT(
       refused_group(
