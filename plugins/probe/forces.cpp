@@ -106,12 +106,12 @@ struct ForcesProbe {
   static constexpr const char* meanings[] = {"number of contacts",
                                              "mean normal force, above 0 if repulsive",
                                              "mean magnitude of the tangential force",
-                                             "mean square over the square of the mean",
-                                             "mean cube over the cube of the mean",
-                                             "mean fourth power over the fourth power of the mean",
-                                             "mean square over the square of the mean",
-                                             "mean cube over the cube of the mean",
-                                             "mean fourth power over the fourth power of the mean",
+                                             "mean of the n-th power over the n-th power of the mean",
+                                             "mean of the n-th power over the n-th power of the mean",
+                                             "mean of the n-th power over the n-th power of the mean",
+                                             "mean of the n-th power over the n-th power of the mean",
+                                             "mean of the n-th power over the n-th power of the mean",
+                                             "mean of the n-th power over the n-th power of the mean",
                                              "mean of tangential over normal force",
                                              "largest tangential over normal force"};
 };

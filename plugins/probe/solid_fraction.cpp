@@ -12,7 +12,7 @@ struct SolidFractionProbe {
   static constexpr scree::About about = {
       "solid_fraction", "volume of bodies over the volume of each bin, exact for spheres that bins cut",
       "solid_fraction = Σ_i V_i(bin)/V(bin)   V_i(bin): volume of sphere i in the bin, in 2D area of the disc\n"
-      "overlaps of bodies count twice; what reaches into a wall counts for the bin at the wall\n"
+      "overlaps of bodies count twice; of region = \"enclosed\" the bin at a wall has what reaches into the wall too\n"
       "with several bins solid_fraction_1, ..., volume_1, ...",
       "closed forms of spheres cut by planes and spheres; by cylinders, and slices of spheres, integrals to 1e-13"};
 

@@ -59,6 +59,7 @@ std::string without(const scree_parameter& p) {
   if (p.flags & SCREE_REQUIRED) return "required";
   if (p.flags & SCREE_OPTIONAL) return "optional";
   if (p.type == SCREE_CHOICE) return "default " + choices_of(p)[std::size_t(p.default_value)];
+  if (p.type == SCREE_BOOLEAN) return fmt::format("default {}", p.default_value != 0);
   return fmt::format("default {:g}", p.default_value);
 }
 
