@@ -29,3 +29,17 @@ TEST_CASE("a run whose directory is moved or removed ends at once and says what 
         "far; start it again\n");
   CHECK_FALSE(removed.has("out"));
 }
+
+// A pipe is opened by the shell once the program reads it, which then waits for the scene.
+TEST_CASE("a program whose file is replaced before it loads its libraries says so", "[tools]") {
+  const Workspace w;
+  const Outcome replaced = w.shell(
+      "tree=$(dirname \"$(dirname '" SCREE_TEST_PROGRAM "')\")\nmkdir -p copy/bin && cp '" SCREE_TEST_PROGRAM
+      "' copy/bin/scree && ln -s \"$tree/lib\" copy/lib && ln -s \"$tree/plugins\" copy/plugins\n"
+      "mkfifo pipe.toml\ncopy/bin/scree run pipe.toml --out out --quiet &\nrun=$!\n"
+      "exec 3> pipe.toml && rm copy/bin/scree && cat scene.toml >&3 && exec 3>&- && wait $run");
+  CHECK(replaced.status == 1);  // once the run has begun
+  CHECK(replaced.err ==
+        "scree: the file of this program was replaced or removed while it runs; repeat the command, which "
+        "goes on with the new one\n");
+}

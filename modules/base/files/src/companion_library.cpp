@@ -22,8 +22,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The build or install tree of the running program.
-fs::path program_tree() { return fs::canonical("/proc/self/exe").parent_path().parent_path(); }
+// The build or install tree of the running program. Throws Error if its file is gone, as after a new build.
+fs::path program_tree() {
+  std::error_code failed;
+  const fs::path program = fs::canonical("/proc/self/exe", failed);
+  if (failed)
+    throw Error("", "the file of this program was replaced or removed while it runs",
+                "repeat the command, which goes on with the new one");
+  return program.parent_path().parent_path();
+}
 
 // The file of a library; empty if there is none.
 fs::path find(const CompanionLibrary& library) {
