@@ -56,7 +56,7 @@ TEST_CASE("check tells the extent of the bodies, the wall time to expect, and nu
   const std::string told = w.scree("check scene.toml").out;
   CHECK_THAT(told, Catch::Contains("\n  bodies from (") && Catch::Contains(" m, radius 0.01 m\n"));
   // Ten million steps.
-  CHECK_THAT(told, Catch::Contains(" of wall time at ") &&
+  CHECK_THAT(told, Catch::Contains(" of wall time without pictures, at ") &&
                        Catch::Contains(" M particle-steps/s, the speed of the first"));
   const Outcome light = w.scree("check scene.toml --set material.density=2.5");
   CHECK(light.status == 0);

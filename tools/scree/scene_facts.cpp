@@ -79,7 +79,7 @@ std::string expected_wall_time(const scenario::Plan& plan, Simulation& simulatio
   const bool bounded =
       std::any_of(plan.stages.begin(), plan.stages.end(), [](const Stage& s) { return !s.duration; });
   return fmt::format(
-      "{}{} of wall time at {:.2g} M particle-steps/s, the speed of the first steps on one core",
+      "{}{} of wall time without pictures, at {:.2g} M particle-steps/s, the speed of the first steps on one core",
       bounded ? "at most " : "", about(steps / rate), work / 1e6);
 }
 

@@ -74,8 +74,7 @@ Mask read_held(const document::Table& group, int dimension) {
 
 class GroupMotion {
  public:
-  // selected: it may be given nothing.
-  GroupMotion(const document::Table& group, const std::string& name, bool selected, int dimension)
+  GroupMotion(const document::Table& group, const std::string& name, int dimension)
       : group_(group), name_(name), all_(freedom::of_dimension(dimension)) {
     if (group.optional(group_keys.fixed)) held_ = read_held(group, dimension);
     read_functions(group, group_keys.velocity, false, dimension, given_.velocity);
@@ -83,8 +82,6 @@ class GroupMotion {
     read_functions(group, group_keys.displacement, false, dimension, given_.displacement);
     read_functions(group, group_keys.force, false, dimension, given_.load);
     read_functions(group, group_keys.torque, true, dimension, given_.load);
-    const bool moves = any_given(given_.velocity) || any_given(given_.displacement);
-    if (!held_ && !moves && !any_given(given_.load) && !selected) refuse_idle();
     check_displacement();
   }
 
@@ -114,13 +111,6 @@ class GroupMotion {
 
  private:
   std::string shown() const { return files::one_line(name_); }
-  [[noreturn]] void refuse_idle() const {
-    group_.refuse_unused();  // perhaps a misspelt key
-    throw group_.error(
-        fmt::format("group '{}' is given nothing", shown()),
-        "add fixed = true, velocity = [x, y, z] or force = [x, y, z], name it in groups or leave_out "
-        "of a [[probe]], or show it in pictures with snapshot.color_by = \"group\"");
-  }
   const char* key_of(int component) const {
     return component < freedom::first_rotation ? group_keys.velocity.name.c_str()
                                                : group_keys.spin.name.c_str();
@@ -187,9 +177,9 @@ class GroupMotion {
 }  // namespace
 
 void read_group_motion(const document::Table& group, const std::string& name,
-                       const std::vector<std::uint32_t>& bodies, bool selected,
-                       std::vector<freedom::Mask>& moved, Scene& scene) {
-  const GroupMotion motion(group, name, selected, scene.dimension);
+                       const std::vector<std::uint32_t>& bodies, std::vector<freedom::Mask>& moved,
+                       Scene& scene) {
+  const GroupMotion motion(group, name, scene.dimension);
   for (const std::uint32_t i : bodies) motion.apply_to(scene.bodies[i], moved[i]);
   BodyGroup lasting = motion.lasting(bodies);
   if (any_given(lasting.velocity) || any_given(lasting.displacement) || any_given(lasting.load))

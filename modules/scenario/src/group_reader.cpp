@@ -236,7 +236,7 @@ void read_groups(const document::Table& root, const std::vector<BodySource>& sou
     names.add(group, name);
     std::vector<std::uint32_t> bodies = bodies_of_group(group, name, sources, scene);
     const bool selected = std::find(observed.begin(), observed.end(), name) != observed.end();
-    read_group_motion(group, name, bodies, selected, moved, scene);
+    read_group_motion(group, name, bodies, moved, scene);
     if (selected) scene.selections.push_back({name, std::move(bodies)});
   }
 }

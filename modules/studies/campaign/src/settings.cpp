@@ -51,7 +51,7 @@ class Reader {
     const std::vector<std::string> values = table.toml_elements(key);
     if (values.empty())
       throw table.error(key, fmt::format("the list of '{}' is empty", one_line(path)),
-                        "give at least one value");
+                        "give at least one value; an empty list as the value is [[]]");
     std::unordered_set<std::string_view> used;
     for (std::size_t k = 0; k < values.size(); ++k) {
       if (!used.insert(values[k]).second)
