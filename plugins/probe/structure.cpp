@@ -75,7 +75,9 @@ struct StructureProbe {
     region.check(setup);
     dimension = setup.dimension();
     if (region.region != scree::AveragingFrame::enclosed && region.region != scree::AveragingFrame::box)
-      setup.refuse("g(r) has a window with flat sides; choose region = \"enclosed\" or \"box\"");
+      return setup.refuse("g(r) has a window with flat sides; choose region = \"enclosed\" or \"box\"");
+    if (region.region == scree::AveragingFrame::box && !(largest > 0))
+      setup.refuse("region = \"box\" is the window of g(r), which lacks largest; add it, or remove region");
   }
   void describe(scree_probe_instance& instance) const {
     instance.needs = SCREE_NEEDS_CONTACTS;

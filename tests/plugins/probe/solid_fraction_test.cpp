@@ -66,13 +66,13 @@ TEST_CASE("solid_fraction: cylinders, their slices and shells, and slices of sph
   Simulation s(pressed_spheres());
   run(s, 1000);
   const auto in_bins = [&](double region, double bins, double along, double from) {
-    const Sampled bin = sample(s, "solid_fraction",
-                               {{"region", {region}},
-                                {"centre", {0.02, 0.019, 0.021}},
-                                {"radius", {0.012}},
-                                {"length", {0.02}},
-                                {"bins", {bins}},
-                                {"along", {along}}});
+    Values values = {{"region", {region}},
+                     {"centre", {0.02, 0.019, 0.021}},
+                     {"radius", {0.012}},
+                     {"bins", {bins}},
+                     {"along", {along}}};
+    if (region == 3) values.insert(values.end(), {"length", {0.02}});
+    const Sampled bin = sample(s, "solid_fraction", values);
     double sum = 0;
     for (int k = int(from); k <= int(bins); ++k) {
       const std::string number = bins == 1 ? "" : "_" + std::to_string(k);

@@ -121,6 +121,14 @@ TEST_CASE("stress: a scene without walls, and keys that do not fit, are refused"
   CHECK_THAT(refusal({{"along", {3}}}), Catch::Contains("shells along = \"radius\" need"));
   CHECK_THAT(refusal({{"along", {2}}}), Catch::Contains("2D scene has no z axis"));
   CHECK_THAT(refusal({{"follow", {1}}}), Catch::Contains("a region that follows a body"));
+  CHECK_THAT(refusal({{"lower", {0, 0, 0}}, {"upper", {1, 1, 0}}}),
+             Catch::Contains("lower and upper belong to region = \"box\""));
+  CHECK_THAT(refusal({{"radius", {1}}}), Catch::Contains("centre and radius belong to region"));
+  CHECK_THAT(refusal({{"axis", {0}}}), Catch::Contains("length and axis belong to region = \"cylinder\""));
+  CHECK_THAT(refusal({{"region", {2}}, {"centre", {0, 0, 0}}, {"radius", {1e200}}}),
+             Catch::Contains("is infinite in the numbers of a computer; give a smaller region"));
+  CHECK_THAT(refusal({{"region", {1}}, {"lower", {0, 0, 0}}, {"upper", {1e-200, 1e-200, 0}}}),
+             Catch::Contains("is 0 in the numbers of a computer; give a larger region"));
   CHECK_THAT(refusal({{"region", {2}}, {"centre", {0, 0, 0}}, {"radius", {1}}, {"follow", {9}}}),
              Catch::Contains("no body with the id of follow"));
 }

@@ -47,16 +47,16 @@ struct SpaceBins {
   }
 
   void check(const Setup& setup) const {
-    const bool round = region == AveragingFrame::sphere || region == AveragingFrame::cylinder;
+    check_that_keys_count(setup);
     if (region == AveragingFrame::box && !(lower && upper))
       return setup.refuse("region = \"box\" lacks lower or upper; add both corners");
-    if (round && (!centre || std::isnan(radius)))
+    if (round() && (!centre || std::isnan(radius)))
       return setup.refuse("the region lacks centre or radius; add both");
     if (region == AveragingFrame::cylinder && setup.dimension() == 2)
       return setup.refuse("a 2D scene has no cylinders; choose region = \"sphere\", which is a circle there");
     if (region == AveragingFrame::cylinder && std::isnan(length))
       return setup.refuse("region = \"cylinder\" lacks length; add it");
-    if (along == AveragingFrame::radial && !round)
+    if (along == AveragingFrame::radial && !round())
       return setup.refuse("shells along = \"radius\" need region = \"sphere\" or \"cylinder\"; choose one");
     if (along == 2 && setup.dimension() == 2) return setup.refuse("a 2D scene has no z axis; choose x or y");
     if (region == AveragingFrame::cylinder && bins > 1 && along != AveragingFrame::radial && along != axis)
@@ -65,7 +65,8 @@ struct SpaceBins {
       return setup.refuse("a region that follows a body is a box, sphere or cylinder; choose one");
     for (int k = 0; region == AveragingFrame::box && k < setup.dimension(); ++k)
       if (!((*lower)[std::size_t(k)] < (*upper)[std::size_t(k)]))
-        return setup.refuse("upper is not above lower; exchange them");
+        return setup.refuse(
+            "upper is not above lower along each axis; exchange them, or give a larger upper");
   }
 
   // The problem and a remedy if the scene does not have the region, or "".
@@ -85,6 +86,11 @@ struct SpaceBins {
           extent(k) > view.period[k] * (1 + 1e-12))
         return std::string("the region is longer than the period along ") + name + "; give a smaller one";
     }
+    const AveragingFrame now = frame(view);
+    for (int bin = 0; bin < bins; ++bin)
+      if (const double volume = now.volume(bin); !(volume > 0 && std::isfinite(volume)))
+        return std::string("the volume of the region or of a bin is ") + (volume == 0 ? "0" : "infinite") +
+               " in the numbers of a computer; give a " + (volume == 0 ? "larger" : "smaller") + " region";
     return "";
   }
 
@@ -110,6 +116,17 @@ struct SpaceBins {
   }
 
  private:
+  bool round() const { return region == AveragingFrame::sphere || region == AveragingFrame::cylinder; }
+  // Keys of another region would change nothing.
+  void check_that_keys_count(const Setup& setup) const {
+    if (region != AveragingFrame::box && (lower || upper))
+      return setup.refuse("lower and upper belong to region = \"box\"; set it, or remove them");
+    if (!round() && (centre || !std::isnan(radius)))
+      return setup.refuse(
+          "centre and radius belong to region = \"sphere\" or \"cylinder\"; set it, or remove them");
+    if (region != AveragingFrame::cylinder && (!std::isnan(length) || axis != 2))
+      return setup.refuse("length and axis belong to region = \"cylinder\"; set it, or remove them");
+  }
   std::uint64_t followed(const scree_view& view) const {
     for (std::uint64_t i = 0; i < view.body_count; ++i)
       if (double(view.id[i]) == follow) return i;
