@@ -136,6 +136,8 @@ class Reading(InFolder):
         os.makedirs("broken", exist_ok=True)
         pathlib.Path("broken/run.json").write_text("{")
         self.refused("broken/run.json: is not JSON; run the scene again", lambda: scree.read("broken").record)
+        pathlib.Path("broken/run.json").write_text("[]")
+        self.refused("broken/run.json: is no record of scree", lambda: scree.read("broken").record)
 
     def test_missing_packages_are_named(self):
         with mock.patch.dict(sys.modules, {"pandas": None, "h5py": None}):

@@ -103,8 +103,11 @@ class Section:
     def __init__(self, page, begin, end):
         """Reads the page; an Error if it does not have both, begin once."""
         self.page = page
-        with open(page, encoding="utf-8") as file:
-            text = file.read()
+        try:
+            with open(page, encoding="utf-8") as file:
+                text = file.read()
+        except OSError as error:
+            raise Error(f"{page}: {error.strerror}; give a folder that has this page") from None
         if text.count(begin) != 1 or end not in text.split(begin)[1]:
             raise Error(f"{page}: the lines '{begin}' and '{end}' are not there; give a folder whose page has them")
         at = text.index("\n", text.index(begin))

@@ -141,7 +141,10 @@ def share(condition):
 
 def json_of(path):
     """A file of JSON as a dict; an Error if it cannot be read."""
-    return parsed(path, json.loads, "JSON")
+    record = parsed(path, json.loads, "JSON")
+    if not isinstance(record, dict):
+        raise Error(f"{path}: is no record of scree; run the scene again, with --overwrite")
+    return record
 
 
 def toml_of(path):
@@ -155,5 +158,5 @@ def parsed(path, loads, language):
         return loads(path.read_text(encoding="utf-8"))
     except OSError as error:
         raise Error(f"{path}: {error.strerror}; give the directory of results that have this file") from None
-    except ValueError:
+    except (ValueError, RecursionError):
         raise Error(f"{path}: is not {language}; run the scene again, with --overwrite") from None
