@@ -43,6 +43,12 @@ void check_size(const FieldGrid& grid, double cells, double width) {
     if (periodic) points = std::max(points, 2 * width / grid.period[k]);  // images of a layer
     near *= std::max(1.0, points);
   }
+  const double volume = std::pow(width, grid.dimension);
+  if (!(volume > 0 && std::isfinite(volume)))
+    throw Error("width",
+                fmt::format("is {:g} m, of which the kernel is {} in the numbers of a computer", width,
+                            volume > 0 ? "0" : "infinite"),
+                "give one near the size of the bodies");
   if (near > most_points_per_body)
     throw Error("width", fmt::format("is so large that each body adds to {:.3g} points", near),
                 "give a smaller one, or a larger spacing");
