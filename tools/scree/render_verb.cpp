@@ -72,6 +72,8 @@ void set_cut(const std::vector<std::string>& cuts, pictures::RenderOptions& opti
   for (const std::string& cut : cuts) {
     if (cut.size() < 3 || cut[1] != '=' || cut[0] < 'x' || cut[0] > 'z')
       throw Error(fmt::format("--cut {}: names no axis; give x=LOW,HIGH, y=LOW,HIGH or z=LOW,HIGH (m)", cut));
+    if (options.cut[std::size_t(cut[0] - 'x')])
+      throw Error(fmt::format("--cut {}: is the second along {}; give one range for each axis", cut, cut[0]));
     options.cut[std::size_t(cut[0] - 'x')] = range_of("--cut " + cut.substr(0, 1), cut.substr(2));
   }
 }
@@ -101,6 +103,7 @@ pictures::RenderOptions options_of(const RenderArguments& arguments) {
 struct Common {
   pictures::ViewRange view;
   std::vector<double> times = {};  // (s)
+  bool has_bodies = false;         // in the cut
 
   // Time between pictures (s); 0 of one. The last may follow its predecessor at once.
   double spacing() const {
@@ -108,15 +111,19 @@ struct Common {
   }
 };
 
-Common common_of(const std::vector<fs::path>& frames, const std::string& color_by,
+Common common_of(const std::vector<fs::path>& frames, const pictures::RenderOptions& options,
                  pictures::SnapshotBackend& backend) {
-  Common common = {pictures::ViewRange(color_by)};
+  Common common = {pictures::ViewRange(options.color_by)};
   for (const fs::path& file : frames) {
     const pictures::Frame frame = backend.read_frame(file);
     common.view.add_box(frame);
     common.view.add_colors(frame);
     common.times.push_back(frame.time);
+    for (std::size_t i = 0; i < frame.particle_count() && !common.has_bodies; ++i)
+      common.has_bodies = pictures::reaches_into(options.cut, frame.position.data() + 3 * i, frame.radius[i]);
   }
+  if (!common.has_bodies && options.cut != pictures::Cut{})
+    throw Error("--cut: no body lies there in any snapshot; give a range that holds some");
   return common;
 }
 
@@ -197,7 +204,7 @@ ExitStatus render(const RenderArguments& arguments) {
   const std::vector<fs::path> frames = snapshot_files(arguments.source);
   Pictures places(arguments);
   for (const fs::path& file : frames) places.check(file);
-  const Common common = common_of(frames, options.color_by, *backend);
+  const Common common = common_of(frames, options, *backend);
   if (!options.color_range) options.color_range = common.view.colors();
   options.time_spacing = common.spacing();
   std::vector<fs::path> drawn;

@@ -2,6 +2,7 @@
 #include "readers.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -94,7 +95,8 @@ pictures::RenderOptions read_picture(const document::Table& t, int dimension) {
   if (t.optional(snapshot_keys.color_range)) picture.color_range = read_range(t, snapshot_keys.color_range);
   if (t.has(snapshot_keys.view) && !t.is_string(snapshot_keys.view)) {
     const Vec3 direction = read_vector(t, snapshot_keys.view, 3, true);
-    if (norm(direction) == 0)
+    const double length = std::hypot(direction[0], direction[1], direction[2]);
+    if (!(length > 0 && std::isfinite(length)))
       throw t.error(snapshot_keys.view, "the direction has no length", "give one such as [1, -1, 0.5]");
     picture.direction = {direction[0], direction[1], direction[2]};
   } else {

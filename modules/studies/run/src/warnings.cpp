@@ -7,6 +7,7 @@
 
 #include <scree/closed_forms.hpp>
 #include <scree/contact_list.hpp>
+#include <scree/pictures/cut.hpp>
 #include <scree/run/set_up.hpp>
 #include <scree/run/step_check.hpp>
 #include <scree/run/warnings.hpp>
@@ -74,6 +75,21 @@ void add_grazing_warning(const Simulation& s, std::vector<std::string>& warnings
   }
 }
 
+// A cut without bodies may be meant for bodies that come there.
+void add_cut_warning(const scenario::SnapshotPlan& snapshot, const Simulation& s,
+                     std::vector<std::string>& warnings) {
+  const Particles& p = s.particles();
+  if (!snapshot.image_every || p.size() == 0) return;
+  const auto place = p.position();
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const double centre[3] = {place[0][i], place[1][i], place[2][i]};
+    if (pictures::reaches_into(snapshot.picture.cut, centre, p.radius()[i])) return;
+  }
+  warnings.push_back(fmt::format(
+      "none of the {} bodies lies in snapshot.cut at the start; change it, unless bodies come there",
+      p.size()));
+}
+
 }  // namespace
 
 LargestOverlap largest_overlap(const Simulation& s) {
@@ -97,6 +113,7 @@ std::vector<std::string> start_warnings(const scenario::Plan& plan, const Simula
   warnings.insert(warnings.end(), s.let_go().begin(), s.let_go().end());
   add_integrator_warning(s.scene(), warnings);
   add_grazing_warning(s, warnings);
+  add_cut_warning(plan.snapshot, s, warnings);
   if (!plan.from_state) add_overlap_warning(s, warnings);  // a state bears its load
   return warnings;
 }

@@ -3,10 +3,6 @@
 #include <cmath>
 #include <vector>
 
-#include <fmt/format.h>
-
-#include <scree/error.hpp>
-
 namespace scree::pictures {
 namespace {
 
@@ -71,9 +67,6 @@ Frame cut_frame(const Frame& frame, const std::vector<HalfSpace>& spaces, ColorF
   keep_bodies(result, bodies);
   keep_rows(field.values, bodies, 1);
   keep_contacts(result, contacts);
-  if (result.particle_count() == 0 && frame.particle_count() > 0)
-    throw Error(fmt::format("cut: none of {} bodies lies there; give a range that holds some",
-                            frame.particle_count()));
   return result;
 }
 

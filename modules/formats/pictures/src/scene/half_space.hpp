@@ -4,6 +4,8 @@
 
 #include <vector>
 
+#include <scree/pictures/cut.hpp>
+
 namespace scree::pictures {
 
 // The points x with normal . x >= offset (m); the normal is a unit vector.

@@ -103,9 +103,13 @@ ViewAxes view_axes(const std::string& view, int dimension) {
 }
 
 ViewAxes axes_towards(const Point& direction) {
-  if (!(dot(direction, direction) > 0) || !std::isfinite(dot(direction, direction)))
+  const double length = std::hypot(direction[0], direction[1], direction[2]);
+  if (!(length > 0) || !std::isfinite(length))
     throw Error("view: the direction towards the viewer has no length; give one such as [1, -1, 0.5]");
-  const Point toward = normalised(direction);
+  // By a power of 2, so that squares stay in the range of numbers.
+  Point scaled = direction;
+  for (double& component : scaled) component = std::scalbn(component, -std::ilogb(length));
+  const Point toward = normalised(scaled);
   const bool from_above = std::hypot(toward[0], toward[1]) < 1e-9;
   const Point right = from_above ? Point{1, 0, 0} : normalised(cross({0, 0, 1}, toward));
   return {right, cross(toward, right), toward};

@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include <scree/pictures/cut.hpp>
+
 namespace scree::pictures {
 
 inline constexpr std::array<std::string_view, 17> color_fields = {"radius",
@@ -42,7 +44,7 @@ struct RenderOptions {
   bool scale_bar = false;
   bool follow_bodies = false;  // the frame holds the bodies, and walls as far as they are in it
   // (m) only what lies between these ends along each axis; bodies are cut and closed there.
-  std::array<std::optional<std::array<double, 2>>, 3> cut{};
+  Cut cut{};
   std::optional<std::array<double, 2>> color_range{};  // (SI unit of the field); absent: range in this frame
   double time_spacing =
       0;  // (s) between pictures; the time is shown to a hundredth of it, or with six digits if it is 0
