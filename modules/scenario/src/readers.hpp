@@ -187,7 +187,8 @@ std::vector<std::uint8_t> read_left_out(const document::Table& probe, const Scen
 // group_motion_reader.cpp
 
 // What a [[group]] gives its bodies (indices): which components are held, velocities, and functions of time,
-// for which it adds a BodyGroup to the scene; it may be given nothing. moved: of each body, the components that follow a function of a group before.
+// for which it adds a BodyGroup to the scene; it may be given nothing. moved: of each body, the components
+// that follow a function of a group before.
 void read_group_motion(const document::Table& group, const std::string& name,
                        const std::vector<std::uint32_t>& bodies, std::vector<freedom::Mask>& moved,
                        Scene& scene);
