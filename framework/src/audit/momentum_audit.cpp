@@ -44,11 +44,6 @@ void MomentumAudit::Sums::add(const Particles& particles, BodyRange bodies) {
   }
 }
 
-void MomentumAudit::Sums::add(const Sums& other) {
-  force += other.force;
-  magnitude += other.magnitude;
-}
-
 void MomentumAudit::add_step(double step, Sums sums, const std::vector<scree_load>& loads) {
   for (const scree_load& load : loads)
     for (int k = 0; k < 3; ++k) sums.force[k] += load.force[k], sums.magnitude += std::abs(load.force[k]);

@@ -19,7 +19,10 @@ class MomentumAudit {
 
     // Adds the loads of bodies; must be called before body forces are added to them.
     void add(const Particles& particles, BodyRange bodies);
-    void add(const Sums& other);
+    void add(const Sums& other) {
+      force += other.force;
+      magnitude += other.magnitude;
+    }
   };
 
   // Adds one evaluation, weighted with the step (s).

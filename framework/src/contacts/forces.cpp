@@ -141,12 +141,14 @@ void Forces::sum_loads(const Particles& particles, std::vector<scree_load>& load
       return particles.loads() + (tile.first_own + plane) * width;
     };
     double* const load = loads[plane].force;
+    if (tiles.size() == 1) {
+      const double* const only = slot(tiles[0]);
+      load[0] = only[0], load[1] = only[1], load[2] = components == 3 ? only[2] : 0;
+      continue;
+    }
     load[2] = 0;
-    if (tiles.size() == 1)
-      std::copy_n(slot(tiles[0]), components, load);
-    else
-      for (int k = 0; k < components; ++k)
-        load[k] = exact_sum(tiles, [&](const kernel::Tiles::Tile& tile) { return slot(tile)[k]; });
+    for (int k = 0; k < components; ++k)
+      load[k] = exact_sum(tiles, [&](const kernel::Tiles::Tile& tile) { return slot(tile)[k]; });
   }
 }
 

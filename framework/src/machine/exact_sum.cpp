@@ -29,6 +29,12 @@ double rounded(Wide number, int exponent, bool more) {
 
 }  // namespace
 
+void ExactSum::cover(std::size_t first, std::size_t end) {
+  if (first_ == end_) first_ = end_ = first;
+  while (first_ > first) digits_[--first_] = 0;
+  while (end_ < end) digits_[end_++] = 0;
+}
+
 void ExactSum::add(double term) {
   const auto bits = std::bit_cast<std::uint64_t>(term);
   const auto exponent = int(bits >> mantissa_bits & 0x7ff);
@@ -39,51 +45,55 @@ void ExactSum::add(double term) {
   std::uint64_t mantissa = bits & ((std::uint64_t(1) << mantissa_bits) - 1);
   if (exponent > 0) mantissa |= std::uint64_t(1) << mantissa_bits;
   if (mantissa == 0) return;
+  constexpr std::size_t digits_of_term = 3;
   const int place = std::max(exponent, 1) - 1;
   const auto first = std::size_t(place / digit_bits);
+  cover(first, first + digits_of_term);
   Wide shifted = Wide(mantissa) << (place % digit_bits);
-  for (std::size_t k = first; k < first + 3; ++k, shifted >>= digit_bits) {
+  for (std::size_t k = first; k < first + digits_of_term; ++k, shifted >>= digit_bits) {
     const auto digit = std::int64_t(std::uint64_t(shifted) & digit_mask);
     digits_[k] += bits >> 63 ? -digit : digit;
   }
-  first_ = std::min(first_, first);
-  last_ = std::max(last_, first + 2);
 }
 
 void ExactSum::add(const ExactSum& other) {
-  for (std::size_t k = 0; k < digit_count; ++k) digits_[k] += other.digits_[k];
-  first_ = std::min(first_, other.first_);
-  last_ = std::max(last_, other.last_);
   not_finite_ += other.not_finite_;
+  if (other.first_ == other.end_) return;
+  cover(other.first_, other.end_);
+  for (std::size_t k = other.first_; k < other.end_; ++k) digits_[k] += other.digits_[k];
 }
 
 double ExactSum::value() const {
   if (not_finite_ != 0) return not_finite_;
-  if (first_ > last_) return 0;
-  Digits digits = digits_;
-  const auto carry = [&](std::size_t end) {
+  if (first_ == end_) return 0;
+  // Two more digits take what the terms have carried.
+  ExactSum sum = {};
+  sum.cover(first_, std::min(end_ + 2, digit_count));
+  const std::size_t first = sum.first_, end = sum.end_;
+  Digits& digits = sum.digits_;
+  std::copy(digits_.begin() + std::ptrdiff_t(first), digits_.begin() + std::ptrdiff_t(end_),
+            digits.begin() + std::ptrdiff_t(first));
+  const auto carry = [&] {
     std::int64_t over = 0;
-    for (std::size_t k = first_; k < end; ++k) {
+    for (std::size_t k = first; k < end; ++k) {
       const std::int64_t digit = digits[k] + over;
       over = digit >> digit_bits;
       digits[k] = digit - (over << digit_bits);
     }
     return over;
   };
-  // Two more digits take what the terms have carried.
-  const std::size_t end = std::min(last_ + 3, digit_count);
-  const bool negative = carry(end) < 0;
+  const bool negative = carry() < 0;
   if (negative) {
-    for (std::size_t k = first_; k < end; ++k) digits[k] = -digits[k];
-    carry(end);
+    for (std::size_t k = first; k < end; ++k) digits[k] = -digits[k];
+    carry();
   }
   std::size_t top = end;
-  while (top > first_ && digits[top - 1] == 0) --top;
-  if (top == first_) return 0;
-  const std::size_t low = top - first_ > 3 ? top - 3 : first_;
+  while (top > first && digits[top - 1] == 0) --top;
+  if (top == first) return 0;
+  const std::size_t low = top - first > 3 ? top - 3 : first;
   Wide number = 0;
   for (std::size_t k = top; k-- > low;) number = number << digit_bits | Wide(digits[k]);
-  const bool more = std::any_of(digits.begin() + std::ptrdiff_t(first_), digits.begin() + std::ptrdiff_t(low),
+  const bool more = std::any_of(digits.begin() + std::ptrdiff_t(first), digits.begin() + std::ptrdiff_t(low),
                                 [](std::int64_t digit) { return digit != 0; });
   const double magnitude = rounded(number, smallest_exponent + digit_bits * int(low), more);
   return negative ? -magnitude : magnitude;

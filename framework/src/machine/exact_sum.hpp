@@ -11,6 +11,7 @@ namespace scree {
 // NaN give what their sum is in any order.
 class ExactSum {
  public:
+  ExactSum() {}  // digits stay unset
   void add(double term);
   void add(const ExactSum& other);
   // The exact sum rounded to the nearest double, ties to even.
@@ -20,9 +21,12 @@ class ExactSum {
   static constexpr std::size_t digit_count = 68;
   using Digits = std::array<std::int64_t, digit_count>;
 
-  // Digit k counts 2^(32 k - 1074); unnormalised, within [first_, last_].
-  Digits digits_ = {};
-  std::size_t first_ = digit_count, last_ = 0;
+  // Extends [first_, end_) by zeros.
+  void cover(std::size_t first, std::size_t end);
+
+  // Digit k counts 2^(32 k - 1074); not normalised, and set within [first_, end_) alone, a few of them.
+  Digits digits_;
+  std::size_t first_ = 0, end_ = 0;
   double not_finite_ = 0;
 };
 

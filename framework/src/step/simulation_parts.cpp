@@ -174,8 +174,7 @@ void SimulationParts::rearrange(const std::vector<std::uint32_t>& from) {
   neighbours.rearrange(from);
 }
 
-void SimulationParts::keep_neighbours_near() {
-  if (neighbours.better_order().empty()) return;
+void SimulationParts::sort_bodies() {
   rearrange(std::vector<std::uint32_t>(neighbours.better_order()));
   neighbours.rebuild(particles, boundaries, contacts, *threads);
 }

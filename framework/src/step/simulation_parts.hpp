@@ -47,7 +47,10 @@ struct SimulationParts {
   // Moves the bodies in memory, see Particles::rearrange; a search must follow.
   void rearrange(const std::vector<std::uint32_t>& from);
   // Sorts the bodies in space if a search has found that many neighbours are distant in memory.
-  void keep_neighbours_near();
+  void keep_neighbours_near() {
+    if (!neighbours.better_order().empty()) sort_bodies();
+  }
+  void sort_bodies();
   // The bodies in the order of the scene: a copy if they are rearranged, valid until something moves them.
   Particles& in_scene_order();
   // See Simulation.

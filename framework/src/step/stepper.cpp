@@ -69,10 +69,11 @@ std::optional<double> Stepper::substep(double step, std::optional<double> next) 
   if (!std::isfinite(square_speed)) return std::nullopt;
 
   Laps laps(p.profile);
-  if (const double displacement_speed = p.boundaries.displacement_speed(); displacement_speed > 0)
+  if (const double displacement_speed = p.boundaries.displacement_speed(); displacement_speed > 0) {
     p.neighbours.extend(speed * std::abs(step), displacement_speed * std::abs(elapsed), p.particles,
                         p.boundaries, p.contacts, *p.threads);
-  p.keep_neighbours_near();
+    p.keep_neighbours_near();
+  }
   laps.lap(Profile::neighbours);
   begin_walls(elapsed, step);
   const double plane_speed = p.boundaries.largest_speed();
@@ -175,6 +176,30 @@ double Stepper::largest_square_speed() const {
   return largest;
 }
 
+Stepper::PartSums Stepper::total_of_tile(std::size_t tile) const {
+  PartSums sums;
+  tiles_.each_part(tile, [&](std::size_t part) { sums.add(part_sums_[part]); });
+  return sums;
+}
+
+Stepper::PartSums Stepper::total() const {
+  if (tiles_.count() == 1) return total_of_tile(0);
+  std::vector<PartSums> tiles;
+  for (std::size_t tile = 0; tile < tiles_.count(); ++tile) tiles.push_back(total_of_tile(tile));
+  const auto over_tiles = [&](const auto& term) { return exact_sum(tiles, term); };
+  PartSums all;
+  for (double BodySums::*const member : {&BodySums::potential, &BodySums::dissipation_rate_translation,
+                                         &BodySums::dissipation_rate_rotation, &BodySums::work})
+    all.bodies.*member = over_tiles([&](const PartSums& tile) { return tile.bodies.*member; });
+  for (int k = 0; k < 3; ++k)
+    all.momentum.force[k] = over_tiles([&](const PartSums& tile) { return tile.momentum.force[k]; });
+  all.momentum.magnitude = over_tiles([](const PartSums& tile) { return tile.momentum.magnitude; });
+  all.work = over_tiles([](const PartSums& tile) { return tile.work; });
+  all.work_to_begin = over_tiles([](const PartSums& tile) { return tile.work_to_begin; });
+  for (const PartSums& tile : tiles) all.finite &= tile.finite;
+  return all;
+}
+
 bool Stepper::evaluate_forces(double elapsed, const Moves& moves) {
   SimulationParts& p = parts_;
   p.copy_is_current = false;
@@ -203,38 +228,6 @@ bool Stepper::evaluate_forces(double elapsed, const Moves& moves) {
   if (p.driven.any() && p.scene.audit) p.audit.add_work(sums.work);
   p.momentum_audit.add_step(elapsed, sums.momentum, p.boundaries.loads());
   return sums.finite;
-}
-
-void Stepper::PartSums::add(const PartSums& other) {
-  bodies += other.bodies;
-  momentum.add(other.momentum);
-  finite &= other.finite;
-  work += other.work;
-  work_to_begin += other.work_to_begin;
-}
-
-Stepper::PartSums Stepper::total_of_tile(std::size_t tile) const {
-  PartSums sums;
-  tiles_.each_part(tile, [&](std::size_t part) { sums.add(part_sums_[part]); });
-  return sums;
-}
-
-Stepper::PartSums Stepper::total() const {
-  if (tiles_.count() == 1) return total_of_tile(0);
-  std::vector<PartSums> tiles;
-  for (std::size_t tile = 0; tile < tiles_.count(); ++tile) tiles.push_back(total_of_tile(tile));
-  const auto over_tiles = [&](const auto& term) { return exact_sum(tiles, term); };
-  PartSums all;
-  for (double BodySums::*const member : {&BodySums::potential, &BodySums::dissipation_rate_translation,
-                                         &BodySums::dissipation_rate_rotation, &BodySums::work})
-    all.bodies.*member = over_tiles([&](const PartSums& tile) { return tile.bodies.*member; });
-  for (int k = 0; k < 3; ++k)
-    all.momentum.force[k] = over_tiles([&](const PartSums& tile) { return tile.momentum.force[k]; });
-  all.momentum.magnitude = over_tiles([](const PartSums& tile) { return tile.momentum.magnitude; });
-  all.work = over_tiles([](const PartSums& tile) { return tile.work; });
-  all.work_to_begin = over_tiles([](const PartSums& tile) { return tile.work_to_begin; });
-  for (const PartSums& tile : tiles) all.finite &= tile.finite;
-  return all;
 }
 
 void Stepper::finish_part(std::size_t part, const Moves& moves, Profile* profile) {

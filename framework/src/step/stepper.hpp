@@ -65,7 +65,13 @@ class Stepper {
     double work = 0,
            work_to_begin = 0;  // on driven bodies, and by the loads with which the next step begins (J)
 
-    void add(const PartSums& other);
+    void add(const PartSums& other) {
+      bodies += other.bodies;
+      momentum.add(other.momentum);
+      finite &= other.finite;
+      work += other.work;
+      work_to_begin += other.work_to_begin;
+    }
   };
 
   // Takes one substep and, if `next` is given, the first half of the next for the bodies (s). Returns the
