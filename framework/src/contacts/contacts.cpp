@@ -48,24 +48,24 @@ void Contacts::fill(PairGroup& group, const Pairs& pairs, const First& first, co
   for (std::size_t t = 0; t < tiles_.count(); ++t) {
     const std::size_t end = t + 1 == tiles_.count() ? std::numeric_limits<std::size_t>::max() : tiles_[t].end;
     crossing.clear();
-    std::size_t begin = a.size();
+    PairRun run = {.begin = a.size()};
     for (; next < pairs.size() && first(pairs[next]) < end; ++next)
       if (second(pairs[next]) < end)
         take(pairs[next]);
       else
         crossing.push_back(next);
-    close_run(group, begin);
-    begin = a.size();
+    run.crossing = a.size();
     for (const std::size_t pair : crossing) take(pairs[pair]);
-    close_run(group, begin);
+    close_run(group, run);
   }
   group.history.reset(group.history_width, group.padded_size());
 }
 
-void Contacts::close_run(PairGroup& group, std::size_t begin) {
-  group.runs.push_back({begin, a.size()});
-  if (a.size() > begin) group.end = a.size();
-  group.pairs += a.size() - begin;
+void Contacts::close_run(PairGroup& group, PairRun run) {
+  run.end = a.size();
+  group.runs.push_back(run);
+  if (run.end > run.begin) group.end = run.end;
+  group.pairs += run.end - run.begin;
   while (a.size() % SCREE_LANES) append_pair(a.back(), group.planes ? 0 : a.back(), Domain::no_shift);
 }
 
@@ -102,7 +102,7 @@ void Contacts::rebuild(const std::vector<NeighbourPair>& bodies, const std::vect
           group, bodies, [](const NeighbourPair& p) { return p.a; },
           [](const NeighbourPair& p) { return p.b; }, take_bodies);
   }
-  carry_history();
+  carry_histories();
   ++revision_;
 }
 
@@ -144,8 +144,7 @@ double Contacts::crossing_share() const {
   for (const PairGroup& group : groups_) {
     if (group.planes) continue;
     pairs += double(group.pairs);
-    for (std::size_t r = 1; r < group.runs.size(); r += 2)
-      crossing += double(group.runs[r].end - group.runs[r].begin);
+    for (const PairRun& run : group.runs) crossing += double(run.end - run.crossing);
   }
   return pairs > 0 ? crossing / pairs : 0;
 }
@@ -197,33 +196,39 @@ Contacts::Place Contacts::find(bool plane, std::uint32_t first, std::uint32_t se
   const bool crosses = !plane && tiles_.owner(std::max(one, other)) != tile;
   for (PairGroup& group : groups_) {
     if (group.planes != plane || group.runs.empty()) continue;
-    const PairRun& run = group.runs[2 * tile + (crosses ? 1 : 0)];
-    std::size_t low = run.begin, high = run.end;
+    const PairRun& run = group.runs[tile];
+    const std::size_t end = crosses ? run.end : run.crossing;
+    std::size_t low = crosses ? run.crossing : run.begin, high = end;
     while (low < high) {
       const std::size_t middle = (low + high) / 2;
       place_key(plane, a[middle], b[middle]) < wanted ? low = middle + 1 : high = middle;
     }
-    if (low < run.end && place_key(plane, a[low], b[low]) == wanted) return {&group, low - group.begin};
+    if (low < end && place_key(plane, a[low], b[low]) == wanted) return {&group, low - group.begin};
   }
   return {nullptr, 0};
 }
 
-void Contacts::carry_history() {
+void Contacts::carry_history(const Before& before, const PairGroup& now, std::size_t p, std::size_t p_end,
+                             std::size_t q, std::size_t q_end) {
+  for (; q < q_end; ++q) {
+    const std::uint64_t pair = place_key(now.planes, a[q], b[q]);
+    while (p < p_end && place_key(now.planes, before_a_[p], before_b_[p]) < pair) ++p;
+    if (p == p_end) break;
+    if (before_a_[p] == a[q] && before_b_[p] == b[q])
+      kept_rows_.push_back({std::uint32_t(p - before.begin), std::uint32_t(q - now.begin)});
+  }
+}
+
+void Contacts::carry_histories() {
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     PairGroup& now = groups_[g];
     const Before& before = before_[g];
     if (now.history_width == 0 || before.history.width() == 0) continue;
     kept_rows_.clear();
-    for (std::size_t r = 0; r < now.runs.size(); ++r) {
-      std::size_t p = before.runs[r].begin;
-      const std::size_t end = before.runs[r].end;
-      for (std::size_t q = now.runs[r].begin; q < now.runs[r].end; ++q) {
-        const std::uint64_t pair = place_key(now.planes, a[q], b[q]);
-        while (p < end && place_key(now.planes, before_a_[p], before_b_[p]) < pair) ++p;
-        if (p == end) break;
-        if (before_a_[p] == a[q] && before_b_[p] == b[q])
-          kept_rows_.push_back({std::uint32_t(p - before.begin), std::uint32_t(q - now.begin)});
-      }
+    for (std::size_t t = 0; t < now.runs.size(); ++t) {
+      const PairRun &from = before.runs[t], &to = now.runs[t];
+      carry_history(before, now, from.begin, from.crossing, to.begin, to.crossing);
+      carry_history(before, now, from.crossing, from.end, to.crossing, to.end);
     }
     now.history.take(before.history, kept_rows_);
   }

@@ -22,9 +22,10 @@ constexpr std::size_t padded_to_lanes(std::size_t pairs) {
   return (pairs + SCREE_LANES - 1) / SCREE_LANES * SCREE_LANES;
 }
 
-// Pairs [begin, end) of one tile, filled up to a multiple of SCREE_LANES with padding.
+// Pairs [begin, end) of one tile, filled up to a multiple of SCREE_LANES with padding; from `crossing` on they
+// are with bodies of later tiles.
 struct PairRun {
-  std::size_t begin = 0, end = 0;
+  std::size_t begin = 0, crossing = 0, end = 0;
 
   std::size_t padded_size() const { return padded_to_lanes(end - begin); }
 };
@@ -32,12 +33,11 @@ struct PairRun {
 // Candidate pairs with the same law and the same kind of partner: a contiguous range of the pair arrays.
 struct PairGroup {
   std::uint32_t law = 0;
-  bool planes = false;    // b is a plane
-  std::size_t begin = 0;  // multiple of SCREE_LANES
-  std::size_t end = 0;    // behind the last pair; padded to the next multiple of SCREE_LANES
-  std::size_t pairs = 0;  // without padding
-  // Of each tile two: pairs inside the tile, then pairs with bodies of later tiles.
-  std::vector<PairRun> runs = {};
+  bool planes = false;             // b is a plane
+  std::size_t begin = 0;           // multiple of SCREE_LANES
+  std::size_t end = 0;             // behind the last pair; padded to the next multiple of SCREE_LANES
+  std::size_t pairs = 0;           // without padding
+  std::vector<PairRun> runs = {};  // of each tile
   std::uint32_t history_width = 0;
   PairColumns history = PairColumns();  // (width, padded size), zero where the pair does not touch
 
@@ -136,7 +136,7 @@ class Contacts {
   void append_pair(std::uint32_t first, std::uint32_t second, std::uint8_t code) {
     a.push_back(first), b.push_back(second), image.push_back(code);
   }
-  void carry_history();
+  void carry_histories();
   // The pairs of a group in a state; return the row of each in the group.
   std::vector<std::uint32_t> save_pairs(const class StateTransfer& state, const PairGroup& group,
                                         const BodyOrder& order) const;
@@ -144,8 +144,8 @@ class Contacts {
                                            const BodyOrder& order, std::size_t planes);
   static void transfer_history(const class StateTransfer& state, PairGroup& group,
                                const std::vector<std::uint32_t>& storage);
-  // Ends a run that has begun at a pair, and fills it up.
-  void close_run(PairGroup& group, std::size_t begin);
+  // Ends a run that has begun, and fills it up.
+  void close_run(PairGroup& group, PairRun run);
 
   // A group before the last rebuild; its memory is reused by the next.
   struct Before {
@@ -153,6 +153,10 @@ class Contacts {
     std::vector<PairRun> runs = {};
     PairColumns history = PairColumns();
   };
+
+  // The rows of the pairs [q, q_end) that were among [p, p_end) before; both are sorted.
+  void carry_history(const Before& before, const PairGroup& now, std::size_t p, std::size_t p_end,
+                     std::size_t q, std::size_t q_end);
 
   BodyTiles tiles_;
   std::vector<PairGroup> groups_;

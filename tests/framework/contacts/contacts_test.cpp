@@ -215,20 +215,21 @@ TEST_CASE(
   contacts.rebuild(pairs, {}, lookup, order);
   PairGroup& group = contacts.groups()[0];
   REQUIRE(group.pairs == pairs.size());
-  REQUIRE(group.runs.size() == 6);
+  REQUIRE(group.runs.size() == 3);
   std::size_t next = 0, across = 0;
-  for (std::size_t r = 0; r < 6; ++r) {
-    REQUIRE(group.runs[r].begin == next);
-    next += group.runs[r].padded_size();
-    for (std::size_t q = group.runs[r].begin; q < group.runs[r].end; ++q) {
+  for (std::size_t t = 0; t < 3; ++t) {
+    const scree::PairRun& run = group.runs[t];
+    REQUIRE(run.begin == next);
+    next += run.padded_size();
+    for (std::size_t q = run.begin; q < run.end; ++q) {
       const std::uint32_t a = contacts.a[q], b = contacts.b[q];
-      REQUIRE(tiles.owner(std::min(a, b)) == r / 2);
-      REQUIRE((tiles.owner(std::max(a, b)) != r / 2) == (r % 2 == 1));
+      REQUIRE(tiles.owner(std::min(a, b)) == t);
+      REQUIRE((tiles.owner(std::max(a, b)) != t) == (q >= run.crossing));
       REQUIRE(order.number(a) < order.number(b));
       const std::uint8_t image = contacts.image[q];
       REQUIRE((a < b ? image : 26 - image) == int((a + b) % 27));
       group.history.set(0, q - group.begin, key_of(order.number(a), order.number(b)));
-      across += r % 2;
+      across += q >= run.crossing;
     }
   }
   REQUIRE(across > 10);

@@ -14,16 +14,17 @@ constexpr std::size_t tiles_in_cache = 4;
 
 }  // namespace
 
-// Pairs inside the tile first: their evaluation needs no body of another tile.
+// First the blocks of pairs inside the tile: their evaluation needs no body of another tile.
 void Tiles::cut_blocks(const Contacts& contacts, std::uint32_t t) {
   tiles_[t].first_block = blocks_.size();
-  for (const std::size_t crossing : {0u, 1u})
+  for (const bool crossing : {false, true})
     for (std::uint32_t g = 0; g < contacts.groups().size(); ++g) {
       const PairGroup& group = contacts.groups()[g];
       if (group.runs.empty()) continue;
-      const PairRun& run = group.runs[2 * t + crossing];
+      const PairRun& run = group.runs[t];
       for (std::size_t p = run.begin; p < run.end; p += block_size) {
         const std::size_t pairs = std::min<std::size_t>(block_size, run.end - p);
+        if ((p + pairs > run.crossing) != crossing) continue;
         blocks_.push_back({g, p, std::uint32_t(padded_to_lanes(pairs)), std::uint32_t(pairs), 0, 0});
       }
     }
