@@ -45,19 +45,39 @@ void ExactSum::add(double term) {
   std::uint64_t mantissa = bits & ((std::uint64_t(1) << mantissa_bits) - 1);
   if (exponent > 0) mantissa |= std::uint64_t(1) << mantissa_bits;
   if (mantissa == 0) return;
-  constexpr std::size_t digits_of_term = 3;
+  // 53 bits of a term, shifted by up to 60, and 13 for the number of terms fit into 127.
+  constexpr int below = 30, most_shift = 60, most_terms = 1 << 13;
   const int place = std::max(exponent, 1) - 1;
+  if (in_window_ == 0) place_ = std::max(place - below, 0);
+  const int shift = place - place_;
+  if (shift < 0 || shift > most_shift || in_window_ == most_terms)
+    return add_to_digits(mantissa, place, bits >> 63);
+  const Signed shifted = Signed(mantissa) << shift;
+  window_ += bits >> 63 ? -shifted : shifted;
+  ++in_window_;
+}
+
+void ExactSum::add_to_digits(std::uint64_t mantissa, int place, bool negative) {
+  constexpr std::size_t digits_of_term = 3;
   const auto first = std::size_t(place / digit_bits);
   cover(first, first + digits_of_term);
   Wide shifted = Wide(mantissa) << (place % digit_bits);
   for (std::size_t k = first; k < first + digits_of_term; ++k, shifted >>= digit_bits) {
     const auto digit = std::int64_t(std::uint64_t(shifted) & digit_mask);
-    digits_[k] += bits >> 63 ? -digit : digit;
+    digits_[k] += negative ? -digit : digit;
   }
+}
+
+void ExactSum::spill(Signed window, int place) {
+  const bool negative = window < 0;
+  const Wide magnitude = negative ? -Wide(window) : Wide(window);
+  if (const auto low = std::uint64_t(magnitude)) add_to_digits(low, place, negative);
+  if (const auto high = std::uint64_t(magnitude >> 64)) add_to_digits(high, place + 64, negative);
 }
 
 void ExactSum::add(const ExactSum& other) {
   not_finite_ += other.not_finite_;
+  spill(other.window_, other.place_);
   if (other.first_ == other.end_) return;
   cover(other.first_, other.end_);
   for (std::size_t k = other.first_; k < other.end_; ++k) digits_[k] += other.digits_[k];
@@ -65,14 +85,17 @@ void ExactSum::add(const ExactSum& other) {
 
 double ExactSum::value() const {
   if (not_finite_ != 0) return not_finite_;
-  if (first_ == end_) return 0;
+  if (first_ == end_) {
+    const double magnitude =
+        rounded(window_ < 0 ? -Wide(window_) : Wide(window_), smallest_exponent + place_, false);
+    return window_ < 0 ? -magnitude : magnitude;
+  }
+  ExactSum sum;
+  sum.add(*this);
   // Two more digits take what the terms have carried.
-  ExactSum sum = {};
-  sum.cover(first_, std::min(end_ + 2, digit_count));
+  sum.cover(sum.first_, std::min(sum.end_ + 2, digit_count));
   const std::size_t first = sum.first_, end = sum.end_;
   Digits& digits = sum.digits_;
-  std::copy(digits_.begin() + std::ptrdiff_t(first), digits_.begin() + std::ptrdiff_t(end_),
-            digits.begin() + std::ptrdiff_t(first));
   const auto carry = [&] {
     std::int64_t over = 0;
     for (std::size_t k = first; k < end; ++k) {

@@ -18,13 +18,20 @@ class ExactSum {
   double value() const;
 
  private:
+  __extension__ typedef __int128 Signed;
   static constexpr std::size_t digit_count = 68;
   using Digits = std::array<std::int64_t, digit_count>;
 
+  // Adds mantissa · 2^(place − 1074) to the digits.
+  void add_to_digits(std::uint64_t mantissa, int place, bool negative);
+  void spill(Signed window, int place);
   // Extends [first_, end_) by zeros.
   void cover(std::size_t first, std::size_t end);
 
-  // Digit k counts 2^(32 k - 1074); not normalised, and set within [first_, end_) alone, a few of them.
+  // Terms of similar size: window_ · 2^(place_ − 1074).
+  Signed window_ = 0;
+  int place_ = 0, in_window_ = 0;
+  // The others: digit k counts 2^(32 k − 1074); not normalised, and set within [first_, end_) alone.
   Digits digits_;
   std::size_t first_ = 0, end_ = 0;
   double not_finite_ = 0;
