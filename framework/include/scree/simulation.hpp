@@ -150,7 +150,7 @@ class Simulation {
 
  private:
   // Takes one step; `observed`: the bodies must be complete at its end.
-  void advance(bool observed, const std::function<void(double)>& after_substep = {});
+  void advance(bool observed, const std::function<void(double)>* after_substep = nullptr);
   void check_health(bool sound) const;
   void start_springs();
   void start_audits();

@@ -22,8 +22,8 @@ constexpr std::size_t padded_to_lanes(std::size_t pairs) {
   return (pairs + SCREE_LANES - 1) / SCREE_LANES * SCREE_LANES;
 }
 
-// Pairs [begin, end) of one tile, filled up to a multiple of SCREE_LANES with padding; from `crossing` on they
-// are with bodies of later tiles.
+// Pairs [begin, end) of one tile, filled up to a multiple of SCREE_LANES with padding; from `crossing` on
+// they are with bodies of later tiles.
 struct PairRun {
   std::size_t begin = 0, crossing = 0, end = 0;
 

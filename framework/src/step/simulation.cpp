@@ -149,7 +149,7 @@ void Simulation::start_audits() {
   p.audit.start(now.kinetic_translation, now.kinetic_rotation, p.boundaries.energy());
 }
 
-void Simulation::advance(bool observed, const std::function<void(double)>& after_substep) {
+void Simulation::advance(bool observed, const std::function<void(double)>* after_substep) {
   parts_->copy_is_current = false;
   check_health(without_exception(*this, [&] {
     return parts_->stepper.step(observed ? Stepper::Next::observed : Stepper::Next::follows, after_substep);
@@ -158,7 +158,7 @@ void Simulation::advance(bool observed, const std::function<void(double)>& after
 
 void Simulation::step() { advance(true); }
 void Simulation::step(const std::function<void(double length)>& after_substep) {
-  advance(true, after_substep);
+  advance(true, &after_substep);
 }
 
 std::uint64_t Simulation::run(std::uint64_t steps, const std::function<bool()>& proceed) {

@@ -36,7 +36,7 @@ namespace scree {
 Stepper::Stepper(SimulationParts& parts)
     : parts_(parts), tiles_(parts.particles.size()), part_sums_(tiles_.parts()) {}
 
-bool Stepper::step(Next next, const std::function<void(double)>& after_substep) {
+bool Stepper::step(Next next, const std::function<void(double)>* after_substep) {
   const double h = parts_.scene.step;
   const std::span<const double> shares = parts_.integrator->substeps();
   double square_speed = 0;
@@ -47,7 +47,7 @@ bool Stepper::step(Next next, const std::function<void(double)>& after_substep) 
     if (goes_on) following = shares[(k + 1) % shares.size()] * h;
     const std::optional<double> moved = substep(shares[k] * h, following);
     if (!moved) return false;
-    if (after_substep) after_substep(shares[k] * h);
+    if (after_substep) (*after_substep)(shares[k] * h);
     square_speed = *moved;
   }
   ++steps_;
@@ -223,7 +223,7 @@ bool Stepper::evaluate_forces(double elapsed, const Moves& moves) {
         finish_part(part, moves, worker == 0 ? parts_.profile : nullptr);
       },
       p.profile);
-  const PartSums sums = total();
+  const PartSums sums = tiles_.count() == 1 ? total_of_tile(0) : total();
   p.body_sums = sums.bodies;
   if (p.driven.any() && p.scene.audit) p.audit.add_work(sums.work);
   p.momentum_audit.add_step(elapsed, sums.momentum, p.boundaries.loads());

@@ -28,7 +28,7 @@ class Stepper {
 
   // Takes one time step. Returns whether the state is sound: finite, no speed and no overlap above its limit.
   // after_substep: called with the length (s) of each substep, after which the bodies are complete.
-  bool step(Next next, const std::function<void(double)>& after_substep = {});
+  bool step(Next next, const std::function<void(double)>* after_substep = nullptr);
   // Evaluates the forces at the present positions; springs advance by `elapsed` (s) since the last
   // evaluation.
   void reevaluate_forces(double elapsed);
