@@ -45,4 +45,14 @@ void rearrange_rows(Container& numbers, std::size_t width, const std::vector<std
   numbers = std::move(rearranged);
 }
 
+// Copies rows of `width` numbers, by place, to where they are by number. Rows behind those of the bodies stay
+// as they are.
+template <class Container>
+void copy_rows(const Container& by_place, std::size_t width, const BodyOrder& order, Container& by_number) {
+  if (by_place.empty()) return;
+  for (std::size_t place = 0; place < order.numbers().size(); ++place)
+    for (std::size_t k = 0; k < width; ++k)
+      by_number[order.number(place) * width + k] = by_place[place * width + k];
+}
+
 }  // namespace scree

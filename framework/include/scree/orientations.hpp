@@ -32,6 +32,8 @@ class Orientations {
 
   // Moves the bodies in memory, see Particles::rearrange.
   void rearrange(const std::vector<std::uint32_t>& from);
+  // See Particles::copy_in_scene_order.
+  void copy_in_scene_order(const class BodyOrder& order, Orientations& copy) const;
 
   // Saves or restores the orientations of the first bodies.
   void transfer(const class StateTransfer& state, std::size_t bodies);

@@ -129,7 +129,7 @@ class Particles {
   const BodyOrder& order() const { return order_; }
   // Moves the bodies in memory: each place takes the body at the place `from[place]`.
   void rearrange(const std::vector<std::uint32_t>& from);
-  // A copy without scratch space, in which each body is at the place of its number.
+  // Copies rearranged bodies to where each is at the place of its number, into an earlier copy of them.
   void copy_in_scene_order(Particles& copy) const;
 
   // Moves the bodies to centres (m) without jumps at periodic faces, at rest and without loads.

@@ -108,6 +108,10 @@ void Orientations::rearrange(const std::vector<std::uint32_t>& from) {
   rearrange_rows(values_, stride(), from);
 }
 
+void Orientations::copy_in_scene_order(const BodyOrder& order, Orientations& copy) const {
+  copy_rows(values_, stride(), order, copy.values_);
+}
+
 bool Orientations::are_in(const StateTransfer& state) { return state.has("orientation"); }
 
 }  // namespace scree

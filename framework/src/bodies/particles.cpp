@@ -83,8 +83,17 @@ void Particles::rearrange(const std::vector<std::uint32_t>& from) {
 }
 
 void Particles::copy_in_scene_order(Particles& copy) const {
-  copy = *this;
-  if (order_.rearranged()) copy.rearrange(std::vector<std::uint32_t>(order_.back()));
+  copy_rows(records_, width(), order_, copy.records_);
+  copy_rows(loads_, load_width(), order_, copy.loads_);
+  orientations.copy_in_scene_order(order_, copy.orientations);
+  for (int k = 0; k < 3; ++k) copy_rows(image[k], 1, order_, copy.image[k]);
+  copy_rows(mass, 1, order_, copy.mass);
+  copy_rows(inertia, 1, order_, copy.inertia);
+  copy_rows(id, 1, order_, copy.id);
+  copy_rows(material, 1, order_, copy.material);
+  copy_rows(fixed, 1, order_, copy.fixed);
+  copy_rows(held, 1, order_, copy.held);
+  copy.order_ = {};
 }
 
 void Particles::come_to_rest(std::span<const Vec3> centres, const Domain& domain) {

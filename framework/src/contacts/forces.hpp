@@ -66,6 +66,9 @@ class Forces {
   ContactSums evaluate(const Evaluation& evaluation, ThreadPool& threads, const FinishPart& finish_part,
                        Profile* profile = nullptr);
 
+  // Makes room for the listed pairs, as an evaluation does first; their forces are 0.
+  void update_pairs(Particles& particles, const Contacts& contacts, std::uint32_t reads, std::size_t planes);
+
   // Forces of pairs in the last evaluation, and the largest overlap so far.
   void transfer(const class StateTransfer& state, Particles& particles, const Contacts& contacts,
                 const std::vector<LawInstance>& laws, std::size_t planes);
@@ -79,7 +82,6 @@ class Forces {
 
  private:
   struct Work;
-  void update_pairs(Particles& particles, const Contacts& contacts, std::uint32_t reads, std::size_t planes);
   // Adds the loads that other tiles have computed for the bodies of a part.
   void collect(Particles& particles, std::size_t part) const;
   void sum_loads(const Particles& particles, std::vector<scree_load>& loads) const;

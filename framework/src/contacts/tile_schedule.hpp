@@ -35,7 +35,7 @@ class TileSchedule {
   static constexpr std::size_t tiles_per_thread = 8;
   static constexpr std::uint32_t finished = ~0u;
 
-  // Pairs are sorted with a < b, so that no later tile reads the bodies of this one.
+  // The tile of the lower place evaluates a pair, so that no later tile reads the bodies of this one.
   template <class EvaluateTile, class FinishPart>
   static void run_in_order(const kernel::Tiles& tiles, const EvaluateTile& evaluate_tile,
                            const FinishPart& finish_part) {

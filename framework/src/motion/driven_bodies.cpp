@@ -1,6 +1,7 @@
 #include "motion/driven_bodies.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 #include <scree/plugin/wall_motion.hpp>
 
@@ -38,8 +39,9 @@ double DrivenBodies::Drive::speed(double time) const {
 }
 
 void DrivenBodies::Entries::sort(std::size_t bodies) {
+  // The loads of several groups on a component too, so that their sum does not depend on earlier orders.
   std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-    return a.body != b.body ? a.body < b.body : a.component < b.component;
+    return std::tie(a.body, a.component, a.function) < std::tie(b.body, b.component, b.function);
   });
   const BodyTiles tiles(bodies);
   first.assign(1, 0);

@@ -43,8 +43,7 @@ class Integrator {
   // Called when forces have changed discontinuously, before the next step: derivatives of them start anew.
   virtual void restart() {}
 
-  // What the integrator keeps besides positions and velocities; nothing by default.
-  // In scene order.
+  // What the integrator keeps besides positions and velocities, in scene order; nothing by default.
   virtual void add_to_hash(StateHash&, const BodyOrder&) const {}
   virtual void transfer(const StateTransfer&, const BodyOrder&) {}
   // Moves the bodies in memory, see Particles::rearrange.

@@ -91,6 +91,7 @@ void PredictorCorrector::transfer(const StateTransfer& state, const BodyOrder& o
 }
 
 void PredictorCorrector::rearrange(const std::vector<std::uint32_t>& from) {
+  if (from.empty()) return;
   for (auto* column : {&second_, &third_, &fourth_})
     rearrange_rows(*column, column->size() / from.size(), from);
 }

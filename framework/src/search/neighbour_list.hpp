@@ -69,7 +69,7 @@ class NeighbourList {
   std::vector<scree_plane> planes_at_search_;
   std::vector<std::uint8_t> absent_at_search_;
   std::uint64_t rebuilds_ = 0;
-  double crossing_when_sorted_ = 0;  // share of pairs that cross tiles
+  double crossing_when_sorted_ = 0;  // share of pairs that cross tiles in the last order that was tried
   std::vector<std::uint32_t> better_order_;
 };
 

@@ -172,6 +172,7 @@ void SimulationParts::rearrange(const std::vector<std::uint32_t>& from) {
   integrator->rearrange(from);
   contacts.rearrange(from);
   neighbours.rearrange(from);
+  copy_is_current = false;
 }
 
 void SimulationParts::sort_bodies() {
@@ -228,6 +229,7 @@ void SimulationParts::come_to_rest(const RestingPacking& packing) {
   if (particles.orientations) particles.orientations = packing.orientations;
   boundaries.come_to_rest(packing.planes, packing.loads);
   search_neighbours();
+  forces.update_pairs(particles, contacts, reads_of(laws), boundaries.planes().size());
   contacts.clear_histories();
   for (const ContactHistory& contact : packing.contacts) {
     const std::size_t bodies = particles.size();

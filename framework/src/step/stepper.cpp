@@ -59,6 +59,7 @@ bool Stepper::step(Next next, const std::function<void(double)>* after_substep) 
 
 std::optional<double> Stepper::substep(double step, std::optional<double> next) {
   SimulationParts& p = parts_;
+  p.copy_is_current = false;
   const bool mid_step = p.integrator->evaluates_at_mid_step();
   const double elapsed = mid_step && forces_at_ == ForcesAt::end_of_step ? 0.5 * step : step;
   if (forces_at_ == ForcesAt::middle_of_step) p.boundaries.undo_extrapolation();

@@ -224,3 +224,60 @@ TEST_CASE("an order in memory that does not list each body once is refused", "[o
   CHECK_THAT(scree::test::error_line([&] { Simulation(scene, damaged); }),
              Catch::Contains("number_in_memory") && Catch::Contains("does not list each body once"));
 }
+
+TEST_CASE("bodies that have been sorted again come to rest where they are", "[order][rest]") {
+  Scene scene = sliding_layers(2);
+  const AroundSort states = around_sort(scene);
+  scene.bodies = scree::bodies_at_start(states.after);
+  const Simulation moving(scene, states.after);
+  const scree::Particles& p = moving.particles();
+  // Each body a tenth of a radius higher, so that what was copied before tells.
+  std::vector<Vec3> places, planes;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    Vec3 x = p.body(i).position;
+    for (int k = 0; k < 2; ++k) x[k] += p.image[k][i] * moving.domain().length(k);
+    x[1] += 0.1;
+    places.push_back(x);
+  }
+  for (const scree_plane& plane : moving.planes())
+    planes.push_back({{plane.point[0], plane.point[1], plane.point[2]}});
+  const State rest = moving.state_at_rest(
+      {moving.time(), places, planes, moving.loads(), moving.particles().orientations, {}});
+  const Simulation resting(scene, rest);
+  CHECK(rest.has(order_in_memory));
+  CHECK(resting.energy().kinetic_translation == 0);
+  double apart = 0;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    apart = std::max(apart, std::abs(resting.particles().position()[1][i] - places[i][1]));
+  CHECK(apart == 0);
+}
+
+TEST_CASE("loads of several groups on the same bodies are added in one order, whatever sorts were before",
+          "[order][loads]") {
+  Scene scene = sliding_layers(2);
+  std::vector<std::uint32_t> shared;
+  for (std::uint32_t i = 0; i < scene.bodies.size(); i += 10)
+    if (!scene.bodies[i].fixed && !scene.bodies[i].held) shared.push_back(i);
+  for (const double load : {0.1, 0.023, -0.077}) {
+    BodyGroup group = scree::test::group_of("with " + std::to_string(load), shared);
+    group.load[0] = {Program::constant, load};
+    scene.groups.push_back(group);
+  }
+  // Bodies that have been far apart in memory are sorted for the second time.
+  State mixed = around_sort(scene).after;
+  std::vector<std::uint32_t> numbers(scene.bodies.size());
+  for (std::size_t place = 0; place < numbers.size(); ++place)
+    numbers[place] = std::uint32_t(7 * place % numbers.size());
+  const scree::StateArray apart = {numbers, {numbers.size()}, ""};
+  mixed.put(order_in_memory, apart);
+  scene.bodies = scree::bodies_at_start(mixed);
+  Simulation whole(scene, mixed);
+  while (whole.state().at(order_in_memory) == apart) {
+    REQUIRE(whole.steps() < 500);
+    whole.step();
+  }
+  const State state = whole.state();
+  Simulation resumed(scene, state);
+  scree::test::run(whole, 5), scree::test::run(resumed, 5);
+  check_same(whole.state(), resumed.state());
+}

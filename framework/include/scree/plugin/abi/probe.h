@@ -33,9 +33,8 @@ enum {
   SCREE_NEEDS_CONTACTS = 1u << 0,
   SCREE_NEEDS_ENERGY = 1u << 1,
   SCREE_NEEDS_ORIENTATIONS = 1u << 2, /* the scene then carries and integrates them */
-  SCREE_NEEDS_NO_BODIES =
-      1u << 3 /* from position to held all data may be NULL; bodies that have been sorted in
-                                     memory need not be copied for it */
+  SCREE_NEEDS_NO_BODIES = 1u << 3     /* arrays of bodies may be NULL: those from position to material, image,
+                                     fixed and held; spares a copy of bodies that lie in another order in memory */
 };
 
 /* The scene at the end of a step, or at the start; with position_verlet, forces, loads and contacts are values of
