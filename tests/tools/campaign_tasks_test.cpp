@@ -128,9 +128,9 @@ TEST_CASE("the script of a task queues it again if its state is saved, and only 
         std::to_string(status) +
         "\\n' > srun\nchmod +x *; cd ..; export PATH=$PWD/bin:$PATH; rm -f asked.txt\n"
         "scree campaign campaign.toml --out out --on slurm || exit 1\n"
-        "SLURM_ARRAY_TASK_ID=0 SLURM_JOB_ID=7 sh out/tasks/task.sh 0; echo status $?; cat asked.txt");
+        "SLURM_ARRAY_TASK_ID=0 SLURM_ARRAY_JOB_ID=7 SLURM_JOB_ID=7 sh out/tasks/task.sh 0; echo status $?; cat asked.txt");
   };
-  CHECK(contains(requeued(130).out, "status 130\nrequeue 7\n"));
+  CHECK(contains(requeued(130).out, "status 130\nrequeue 7_0\n"));
   for (const int status : {0, 1, 3}) CHECK_FALSE(contains(requeued(status).out, "requeue"));
   // A local campaign would do what the jobs do.
   const Outcome local = w.shell(

@@ -80,8 +80,8 @@ class Simulation {
   double step_length() const;  // (s)
   std::uint64_t steps() const;
   const Scene& scene() const;
-  // In scene order. Valid until the next step: later the same reference may be an old copy, or have the bodies
-  // in another order.
+  // In scene order. Valid until the next step: later the same reference may be an old copy, or have the
+  // bodies in another order.
   const Particles& particles() const;
   const Domain& domain() const;
   const std::vector<scree_plane>& planes() const;

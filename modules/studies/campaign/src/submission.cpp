@@ -19,7 +19,8 @@ namespace fs = std::filesystem;
 
 // Slurm warns the steps of a job before its end, but not its script, so that the run is a step. Whether it is
 // finished is in its record; 130 alone, "its state is saved", leads to another start, so that a task that was
-// cancelled, whose script has ended by then, stays so.
+// cancelled, whose script has ended by then, stays so. The last element has the job number of its array, by
+// which Slurm would queue all elements again, also those that have ended.
 constexpr const char* script = R"(#!/bin/sh
 # Written by scree campaign --on slurm. An element of an array of tasks; $1 is the task of element 0.
 if [ ! -e {list} ]; then
@@ -28,7 +29,7 @@ if [ ! -e {list} ]; then
 fi
 srun --ntasks=1 --cpus-per-task="${{SLURM_CPUS_PER_TASK:-1}}" {command} --task $(($1 + SLURM_ARRAY_TASK_ID))
 status=$?
-if [ $status = 130 ]; then scontrol requeue "$SLURM_JOB_ID" && sleep 60; fi
+if [ $status = 130 ]; then scontrol requeue "${{SLURM_ARRAY_JOB_ID}}_$SLURM_ARRAY_TASK_ID" && sleep 60; fi
 exit $status
 )";
 constexpr const char* gather_script = R"(#!/bin/sh

@@ -60,8 +60,11 @@ void WorkList::check() {
   }
   bodies_.clear();
   check_points();
-  // `collect` may have changed even if all runs have finished.
-  if (waiting_.empty()) check_point(campaign_, campaign_.points.front(), host_, options_.studies);
+  if (!waiting_.empty()) return;
+  // `collect` may have changed even if all runs have finished. In a queue, preparations may be still to come.
+  const auto ready = std::find_if(jobs_.begin(), jobs_.end(),
+                                  [&](const Job& job) { return !prepares(job) && is_ready(job); });
+  if (ready != jobs_.end()) check_point(ready->campaign, ready->point, host_, options_.studies);
 }
 
 void WorkList::check_points() {

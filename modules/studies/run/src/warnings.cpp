@@ -80,11 +80,8 @@ void add_cut_warning(const scenario::SnapshotPlan& snapshot, const Simulation& s
                      std::vector<std::string>& warnings) {
   const Particles& p = s.particles();
   if (!snapshot.image_every || p.size() == 0) return;
-  const auto place = p.position();
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const double centre[3] = {place[0][i], place[1][i], place[2][i]};
-    if (pictures::reaches_into(snapshot.picture.cut, centre, p.radius()[i])) return;
-  }
+  for (std::size_t i = 0; i < p.size(); ++i)
+    if (pictures::reaches_into(snapshot.picture.cut, p.body(i).position.component, p.radius()[i])) return;
   warnings.push_back(fmt::format(
       "none of the {} bodies lies in snapshot.cut at the start; change it, unless bodies come there",
       p.size()));
