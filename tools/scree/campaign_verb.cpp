@@ -131,7 +131,8 @@ void add_campaign_verb(CommandLine& line) {
           "A line of [set], in place of that of the file; campaign.KEY of [campaign], prepare.KEY of [prepare]")
       .shown_as("KEY=VALUE");
   verb.flag("--list", a->list, "List each preparation and run with its status and job; run nothing");
-  verb.option("--on", a->on, "Submit what has not finished to this batch system, and return")
+  verb.option("--on", a->on,
+              "Submit what has not finished to this batch system, and return; for others --print-tasks")
       .one_of({"slurm"});
   verb.option("--partition", a->partition, "Partition of the jobs; others in [slurm] of the file")
       .shown_as("NAME");
@@ -142,8 +143,10 @@ void add_campaign_verb(CommandLine& line) {
       .between(1, 100000);
   verb.flag("--print-tasks", a->print_tasks,
             "Print the tasks, a command each, for any batch system; run nothing");
-  verb.option("--task", a->task, "Do one task, unless it is done").shown_as("K");
-  verb.flag("--gather", a->gather, "Write the tables and the report of what has been run; run nothing");
+  verb.option("--task", a->task, "Do task K of --print-tasks, from 0, unless it is done").shown_as("K");
+  verb.flag(
+      "--gather", a->gather,
+      "Write the tables and the report of what has been run, status 1 if runs are missing; run nothing");
   verb.flag("--overwrite", a->overwrite, "Begin all runs anew, also finished and interrupted ones");
   verb.flag("--quiet", a->quiet, "No progress, only the summary");
   add_plugin_options(verb, a->plugins);

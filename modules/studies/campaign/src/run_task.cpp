@@ -156,8 +156,9 @@ Execution run_task(const Campaign& campaign, CampaignDirectory& directory, std::
   const TaskList list(directory);
   if (number >= list.size())
     throw Error(directory.files().path().string(),
-                fmt::format("has {}, and none of number {}", counted(list.size(), "task"), number),
-                "list them with --print-tasks, or submit them with --on slurm");
+                list.size() == 0 ? "has no tasks yet"
+                                 : fmt::format("has tasks 0 to {}, and no task {}", list.size() - 1, number),
+                "print them with --print-tasks, or submit them with --on slurm");
   Worker worker(directory, options, task, host);
   const bool prepares =
       list[number].runs.front().starts_with(std::string(CampaignDirectory::preparation_folder) + "/");

@@ -51,7 +51,7 @@ TEST_CASE("a task whose runs have finished does nothing", "[tasks]") {
   CHECK(done.finished_before == 2);
   CHECK(list.run(1).count(Status::failed) == 1);  // without a program
   CHECK_THROWS_WITH(list.run(2),
-                    Catch::EndsWith("has 2 tasks, and none of number 2; list them with --print-tasks, "
+                    Catch::EndsWith("has tasks 0 to 1, and no task 2; print them with --print-tasks, "
                                     "or submit them with --on slurm"));
 }
 
