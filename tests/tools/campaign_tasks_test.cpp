@@ -40,6 +40,10 @@ TEST_CASE("tasks can be run in any order, and once more, and are then gathered",
   CHECK(contains(listed.out, " campaign campaign.toml --out out --threads 1 --jobs 1 --quiet --task 0\n"));
   w.write("tasks.txt", listed.out);
   CHECK(w.scree(campaign_call + "--gather").status == 1);
+  const Outcome elsewhere = w.scree("campaign campaign.toml --gather --out nowhere");
+  CHECK(elsewhere.status == 2);
+  CHECK(contains(elsewhere.err, "nowhere: holds no campaign; run or submit it first"));
+  CHECK(!w.has("nowhere"));
   // From the last on: points make the preparations that they need, and several at a time take turns.
   const Outcome run = w.shell("tac tasks.txt | xargs -d '\\n' -P 4 -n 1 sh -c && tac tasks.txt | sh -e");
   INFO(run.out + run.err);

@@ -176,6 +176,8 @@ ExitStatus do_task(const campaign::Campaign& c, const CampaignArguments& a,
 
 ExitStatus gather(const campaign::Campaign& c, const CampaignArguments& a, const PluginHost& host) {
   const std::filesystem::path path = directory_of(c, a);
+  if (!std::filesystem::is_directory(path))
+    throw Error(path.string(), "holds no campaign", "run or submit it first, or give its --out");
   wait_for_directory(path);
   CampaignDirectory directory(path, c, true);
   const campaign::Execution result = campaign::gathered(c, directory, host);

@@ -2,6 +2,7 @@
 #include "work_list.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include <fmt/format.h>
@@ -85,16 +86,20 @@ class Submitter {
   // Tasks of earlier calls that wait or run, with all their runs.
   void leave_queued() {
     const TaskList list(directory_);
-    std::set<std::string> queued;
+    std::map<std::string, std::string> queued;  // with the inputs for which they were listed
     for (const auto& [task, job] : SubmittedJobs::queued_tasks(queue_)) {
       job_of_task_[task] = job.id();
       before_.push_back(job.job);
       if (task >= list.size()) continue;
-      queued.insert(list[task].runs.begin(), list[task].runs.end());
+      for (std::size_t k = 0; k < list[task].runs.size(); ++k)
+        queued[list[task].runs[k]] = list[task].inputs[k];
       if (list[task].runs.size() == 1) job_of_run_[list[task].runs.front()] = job.id();
     }
-    result_.before =
-        std::erase_if(work_.waiting(), [&](Job* job) { return queued.contains(job->point.name); });
+    // A task of a run that has changed refuses itself.
+    result_.before = std::erase_if(work_.waiting(), [&](Job* job) {
+      const auto found = queued.find(job->point.name);
+      return found != queued.end() && found->second == inputs_key(job->campaign, job->point, host_);
+    });
   }
 
   void write_scripts() const {

@@ -165,6 +165,28 @@ TEST_CASE("repeating the command submits what is neither finished nor in the que
   CHECK(slurm.calls() == 6);
 }
 
+TEST_CASE("a run that has changed is submitted again, though its old task still waits", "[slurm]") {
+  const FakeSlurm slurm;
+  Submitted s(four_seeds);
+  CHECK(s.submit().runs == 4);
+  slurm.write("queue", s.queued("101", 0, 3));
+  CHECK(s.submit().before == 4);
+  const Submission changed = s.submit({"contact.normal_stiffness=3e4"});
+  CHECK(changed.before == 0);
+  CHECK(changed.runs == 4);
+}
+
+TEST_CASE("repeating the command while everything is in the queue, preparations too, submits nothing",
+          "[slurm]") {
+  const FakeSlurm slurm;
+  Submitted s(two_prepared, scene_for_states);
+  CHECK(s.submit().runs == 6);
+  slurm.write("queue", s.queued("101", 0, 1) + s.queued("102", 0, 1, 2) + s.queued("103", 0, 1, 4));
+  const Submission again = s.submit();
+  CHECK(again.runs == 0);
+  CHECK(again.before == 6);
+}
+
 TEST_CASE("what a login node submitted before it died is found in the queue", "[slurm]") {
   const FakeSlurm slurm;
   Submitted s(four_seeds);
