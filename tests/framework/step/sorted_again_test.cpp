@@ -191,7 +191,12 @@ TEST_CASE("simulations go on across a sort to the same bits, with any number of 
   Scene scene = sliding_layers(dimension);
   const Integration integration = GENERATE(from_range(std::begin(integrators), std::end(integrators)));
   const auto precision = GENERATE(Precision::double_precision, Precision::mixed);
-  if (dimension == 3 && precision == Precision::mixed) return;  // the law and the pairs are no others in 3D
+  // In 3D the law and the pairs are no others; under a sanitizer, the integrator that keeps most of each
+  // body.
+  if (dimension == 3 && precision == Precision::mixed) return;
+  if (scree::test::sanitized &&
+      (integration != Integration::predictor_corrector || precision == Precision::mixed))
+    return;
   scene.integration = integration;
   scene.precision = precision;
   INFO(dimension << "D, integrator " << int(integration) << ", precision " << int(precision));
@@ -215,14 +220,17 @@ TEST_CASE("an order in memory that does not list each body once is refused", "[o
   Scene scene = sliding_layers(2);
   const AroundSort states = around_sort(scene);
   scene.bodies = scree::bodies_at_start(states.after);
-  State damaged = states.after;
-  auto numbers = std::get<std::vector<std::uint32_t>>(damaged.at(order_in_memory).values);
-  SECTION("a number twice") { numbers[0] = numbers[1]; }
-  SECTION("a number that there is not") { numbers[0] = std::uint32_t(numbers.size()); }
-  SECTION("too few") { numbers.pop_back(); }
-  damaged.put(order_in_memory, {numbers, {numbers.size()}, ""});
-  CHECK_THAT(scree::test::error_line([&] { Simulation(scene, damaged); }),
-             Catch::Contains("number_in_memory") && Catch::Contains("does not list each body once"));
+  const auto given = std::get<std::vector<std::uint32_t>>(states.after.at(order_in_memory).values);
+  std::vector<std::uint32_t> twice = given, unknown = given, too_few = given;
+  twice[0] = twice[1];
+  unknown[0] = std::uint32_t(unknown.size());
+  too_few.pop_back();
+  for (const auto& numbers : {twice, unknown, too_few}) {
+    State damaged = states.after;
+    damaged.put(order_in_memory, {numbers, {numbers.size()}, ""});
+    CHECK_THAT(scree::test::error_line([&] { Simulation(scene, damaged); }),
+               Catch::Contains("number_in_memory") && Catch::Contains("does not list each body once"));
+  }
 }
 
 TEST_CASE("bodies that have been sorted again come to rest where they are", "[order][rest]") {
