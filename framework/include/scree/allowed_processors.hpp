@@ -5,9 +5,9 @@
 
 namespace scree {
 
-// Processors that this process may use, at least 1: those of its affinity (taskset, a job of a cluster), or
-// fewer where a control group limits its processor time (containers, batch systems). Not those of the
-// computer.
+// Number of processors that this process may use, at least 1: its affinity (taskset, a job of a cluster) and
+// the processor time that control groups grant it (containers, batch systems) limit it. The computer may have
+// more.
 unsigned allowed_processors();
 
 // The processors that the quotas of control groups allow, rounded up; 0 without a quota. groups: the text of

@@ -45,8 +45,8 @@ void rearrange_rows(Container& numbers, std::size_t width, const std::vector<std
   numbers = std::move(rearranged);
 }
 
-// Copies rows of `width` numbers, by place, to where they are by number. Rows behind those of the bodies stay
-// as they are.
+// Copies rows of `width` numbers, sorted by place, into rows sorted by number. Rows behind the last body are
+// not copied.
 template <class Container>
 void copy_rows(const Container& by_place, std::size_t width, const BodyOrder& order, Container& by_number) {
   if (by_place.empty()) return;

@@ -126,8 +126,8 @@ class Contacts {
   };
   // By which the pairs of a run are sorted: of two bodies, the lower place first.
   static std::uint64_t place_key(bool planes, std::uint32_t a, std::uint32_t b);
-  // Replaces the pairs of a group by those of a range, sorted by their place keys. take(pair) appends the
-  // pair if it belongs to the group; first(pair), second(pair) are its places, the lower first.
+  // Replaces the pairs of a group by pairs of a range, which is sorted by place keys. take(pair) appends the
+  // pair, if it belongs to the group; first(pair), second(pair) are its places, the lower first.
   template <class Pairs, class First, class Second, class Take>
   void fill(PairGroup& group, const Pairs& pairs, const First& first, const Second& second, const Take& take);
   // The same for pairs in any order; the histories are to be moved.

@@ -10,8 +10,8 @@
 
 namespace scree {
 
-// Which pairs a list has: those that touch at the present positions, or also those between which the last
-// evaluation, elsewhere, found a force; the overlap of these may be below 0.
+// Which pairs a list has: pairs that touch at the present positions, or also pairs between which the last
+// evaluation, at other positions, found a force; their overlap may be below 0.
 enum class ListedPairs { touching, touching_or_loaded };
 
 // Pairs at the present positions, with the forces of the last evaluation.
