@@ -98,8 +98,10 @@ BenchResult time_steps(const scenario::Plan& plan, const BenchOptions& options) 
   const Simulation& s = scene.simulation();
   r.particles = s.particles().size();
   r.contacts = s.contact_list().size();
-  r.bytes_per_particle = s.footprint().bytes_per_body;
-  r.bytes_per_contact = s.footprint().bytes_per_pair;
+  const Footprint footprint = s.footprint();
+  r.bytes_per_particle = footprint.bytes_per_body;
+  r.bytes_per_contact = footprint.bytes_per_pair;
+  r.crossing_share = footprint.crossing_share;
   return r;
 }
 

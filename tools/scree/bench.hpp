@@ -21,6 +21,7 @@ struct BenchOptions {
 // What one benchmark came to.
 struct BenchResult {
   std::size_t particles, contacts, bytes_per_particle, bytes_per_contact;  // at the end
+  double crossing_share;                                                   // the same, see Footprint
   std::uint64_t steps;                                                     // of a repeat
   double first_time;                                                       // (s) in the scene
   std::vector<double> s_per_step;                                          // of each repeat

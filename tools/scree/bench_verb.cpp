@@ -58,6 +58,8 @@ void print(const std::string& scene, const std::string& precision, unsigned thre
   fmt::print("{:.3g} million particle-steps per second", 1e-6 * double(r.particles) / r.median());
   if (r.contacts > 0) fmt::print(", {:.3g} ns per contact", ns_per_contact(r));
   fmt::print("; {} bytes per particle, {} bytes per contact\n", r.bytes_per_particle, r.bytes_per_contact);
+  if (r.crossing_share > 0)
+    fmt::print("{:.1f} % of the listed pairs are between two tiles\n", 100 * r.crossing_share);
   double all = 0;
   for (int k = 0; k < Profile::phase_count; ++k) all += r.profile.seconds(Profile::Phase(k));
   fmt::print("time per phase{}, from one extra repeat (includes timer overhead):\n",
@@ -74,7 +76,7 @@ std::string csv_header() {
   std::string header =
       "version,scene,precision,particles,contacts,threads,time,steps,repeats,s_per_step,s_per_step_fastest,"
       "s_per_step_slowest,particle_steps_per_second,ns_per_contact,bytes_per_particle,bytes_per_contact,"
-      "searches";
+      "crossing_share,searches";
   for (const char* name : Profile::names) header += fmt::format(",{}_s", name);
   return header;
 }
@@ -112,7 +114,8 @@ std::string csv_row(const std::string& scene, const std::string& precision, unsi
   add(r.particles), add(r.contacts), add(threads), add(r.first_time), add(r.steps), add(r.s_per_step.size());
   add(r.median()), add(*fastest), add(*slowest), add(double(r.particles) / r.median());
   cells.push_back(files::csv_number(ns_per_contact(r)));
-  add(r.bytes_per_particle), add(r.bytes_per_contact), add(r.searches);
+  add(r.bytes_per_particle), add(r.bytes_per_contact), add(r.crossing_share);
+  add(r.searches);
   for (int k = 0; k < Profile::phase_count; ++k) add(r.profile.seconds(Profile::Phase(k)) / double(r.steps));
   return files::csv_line(cells);
 }

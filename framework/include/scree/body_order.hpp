@@ -35,6 +35,9 @@ class BodyOrder {
   std::vector<std::uint32_t> number_, place_;
 };
 
+// Of a permutation: the index at which it has each number.
+std::vector<std::uint32_t> inverse_of(const std::vector<std::uint32_t>& permutation);
+
 // Rearranges rows of `width` numbers: row i becomes what row from[i] was.
 template <class Container>
 void rearrange_rows(Container& numbers, std::size_t width, const std::vector<std::uint32_t>& from) {

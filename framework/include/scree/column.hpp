@@ -10,9 +10,9 @@
 
 namespace scree {
 
-// Allocator of blocks aligned to a cache line (64 bytes), as batches and SIMD loads require. Blocks of 4 MiB
-// and more are aligned to large pages and marked for them, because contacts read bodies at scattered
-// addresses.
+// Allocator of blocks aligned to a cache line (64 bytes), as batches and SIMD loads require. Blocks of half a
+// large page and more have large pages of their own: processors read ahead in them without interruption, and
+// contacts read bodies at scattered addresses.
 template <class T>
 struct CacheLineAllocator {
   using value_type = T;
@@ -23,9 +23,9 @@ struct CacheLineAllocator {
   CacheLineAllocator(const CacheLineAllocator<U>&) {}
 
   T* allocate(std::size_t n) {
-    void* block = ::operator new(n * sizeof(T), alignment_of(n));
+    void* block = ::operator new(bytes_of(n), alignment_of(n));
 #if defined(__linux__)
-    if (is_large(n)) ::madvise(block, n * sizeof(T), MADV_HUGEPAGE);
+    if (is_large(n)) ::madvise(block, bytes_of(n), MADV_HUGEPAGE);
 #endif
     return static_cast<T*>(block);
   }
@@ -33,7 +33,10 @@ struct CacheLineAllocator {
   friend bool operator==(const CacheLineAllocator&, const CacheLineAllocator&) { return true; }
 
  private:
-  static bool is_large(std::size_t n) { return n * sizeof(T) >= 2 * large_page; }
+  static bool is_large(std::size_t n) { return n * sizeof(T) >= large_page / 2; }
+  static std::size_t bytes_of(std::size_t n) {
+    return is_large(n) ? (n * sizeof(T) + large_page - 1) / large_page * large_page : n * sizeof(T);
+  }
   static std::align_val_t alignment_of(std::size_t n) {
     return std::align_val_t(is_large(n) ? large_page : 64);
   }

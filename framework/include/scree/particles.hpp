@@ -153,6 +153,9 @@ class Particles {
 
  private:
   void transfer_images(const class StateTransfer& state);
+  // Calls visit(column of one, column of the other, width) for all that is kept per body, but orientations.
+  template <class One, class Other, class Visit>
+  static void each_column(One& one, Other& other, const Visit& visit);
   template <class T>
   Vectors<T> vectors(T* records, std::size_t part) const {
     return {records + part, width(), size(), 0, dimension_};

@@ -9,8 +9,9 @@
 
 namespace scree {
 
-// Indices of the bodies in the order of a Morton curve through cells of twice the mean radius, so that bodies
-// that touch are close in memory too. Bodies of the same cell keep their order.
+// Indices of the bodies in an order in which bodies that touch are close in memory too: compact tiles (see
+// BodyTiles) and, in a tile, a Morton curve through cells of twice the mean radius. Bodies of the same cell
+// keep their order.
 std::vector<std::uint32_t> spatial_order(std::span<const Sphere> bodies, int dimension);
 std::vector<std::uint32_t> spatial_order(const std::vector<Body>& bodies, int dimension);
 

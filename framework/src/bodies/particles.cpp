@@ -67,32 +67,31 @@ void Particles::transfer_images(const StateTransfer& state) {
   for (std::size_t i = 0; i < all.size() && state.restoring(); ++i) image[i % width][i / width] = all[i];
 }
 
+template <class One, class Other, class Visit>
+void Particles::each_column(One& one, Other& other, const Visit& visit) {
+  visit(one.records_, other.records_, one.width());
+  visit(one.loads_, other.loads_, one.load_width());
+  for (int k = 0; k < 3; ++k) visit(one.image[k], other.image[k], 1);
+  visit(one.mass, other.mass, 1);
+  visit(one.inertia, other.inertia, 1);
+  visit(one.id, other.id, 1);
+  visit(one.material, other.material, 1);
+  visit(one.fixed, other.fixed, 1);
+  visit(one.held, other.held, 1);
+}
+
 void Particles::rearrange(const std::vector<std::uint32_t>& from) {
-  rearrange_rows(records_, width(), from);
   set_load_rows(std::max<std::size_t>(size(), 1));
-  rearrange_rows(loads_, load_width(), from);
+  each_column(*this, *this, [&](auto& rows, auto&, std::size_t width) { rearrange_rows(rows, width, from); });
   orientations.rearrange(from);
-  for (auto& crossed : image) rearrange_rows(crossed, 1, from);
-  rearrange_rows(mass, 1, from);
-  rearrange_rows(inertia, 1, from);
-  rearrange_rows(id, 1, from);
-  rearrange_rows(material, 1, from);
-  rearrange_rows(fixed, 1, from);
-  rearrange_rows(held, 1, from);
   order_ = order_.moved(from);
 }
 
 void Particles::copy_in_scene_order(Particles& copy) const {
-  copy_rows(records_, width(), order_, copy.records_);
-  copy_rows(loads_, load_width(), order_, copy.loads_);
+  each_column(*this, copy, [&](const auto& by_place, auto& by_number, std::size_t width) {
+    copy_rows(by_place, width, order_, by_number);
+  });
   orientations.copy_in_scene_order(order_, copy.orientations);
-  for (int k = 0; k < 3; ++k) copy_rows(image[k], 1, order_, copy.image[k]);
-  copy_rows(mass, 1, order_, copy.mass);
-  copy_rows(inertia, 1, order_, copy.inertia);
-  copy_rows(id, 1, order_, copy.id);
-  copy_rows(material, 1, order_, copy.material);
-  copy_rows(fixed, 1, order_, copy.fixed);
-  copy_rows(held, 1, order_, copy.held);
   copy.order_ = {};
 }
 

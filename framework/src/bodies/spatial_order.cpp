@@ -1,8 +1,11 @@
+#include "bodies/body_range.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
+#include <scree/body_order.hpp>
 #include <scree/spatial_order.hpp>
 
 namespace scree {
@@ -28,6 +31,42 @@ Vec3 lower_corner(std::span<const Sphere> bodies) {
   return lower;
 }
 
+// Axis along which the listed bodies are farthest apart.
+int longest_side(std::span<const Sphere> bodies, int dimension, std::span<const std::uint32_t> listed) {
+  int longest = 0;
+  double length = -1;
+  for (int k = 0; k < dimension; ++k) {
+    const auto before = [&](std::uint32_t a, std::uint32_t b) {
+      return bodies[a].position[k] < bodies[b].position[k];
+    };
+    const auto [first, last] = std::minmax_element(listed.begin(), listed.end(), before);
+    const double side = bodies[*last].position[k] - bodies[*first].position[k];
+    if (side > length) longest = k, length = side;
+  }
+  return longest;
+}
+
+// Cuts the bodies in two across their longest side, at the end of a tile, and so on down to tiles. These are
+// compact, so that few pairs are between them. Bodies of a tile are in the order of their rank.
+void sort_into_tiles(std::span<const Sphere> bodies, const std::vector<std::uint32_t>& rank, int dimension,
+                     std::span<std::uint32_t> order) {
+  const std::size_t tiles = BodyTiles(order.size()).count();
+  if (tiles == 1) {
+    std::sort(order.begin(), order.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return rank[a] < rank[b]; });
+    return;
+  }
+  const int axis = longest_side(bodies, dimension, order);
+  const auto along = [&](std::uint32_t a, std::uint32_t b) {
+    const double x = bodies[a].position[axis], y = bodies[b].position[axis];
+    return x < y || (x == y && rank[a] < rank[b]);
+  };
+  const std::size_t middle = tiles / 2 * BodyTiles::usual_size;
+  std::nth_element(order.begin(), order.begin() + std::ptrdiff_t(middle), order.end(), along);
+  sort_into_tiles(bodies, rank, dimension, order.first(middle));
+  sort_into_tiles(bodies, rank, dimension, order.subspan(middle));
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> spatial_order(std::span<const Sphere> bodies, int dimension) {
@@ -45,6 +84,7 @@ std::vector<std::uint32_t> spatial_order(std::span<const Sphere> bodies, int dim
     }
   std::stable_sort(order.begin(), order.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return code[a] < code[b]; });
+  if (BodyTiles(bodies.size()).count() > 1) sort_into_tiles(bodies, inverse_of(order), dimension, order);
   return order;
 }
 

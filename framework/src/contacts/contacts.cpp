@@ -121,8 +121,7 @@ std::vector<PairColumns::Move> Contacts::fill_unsorted(PairGroup& group, std::ve
 }
 
 void Contacts::rearrange(const std::vector<std::uint32_t>& from) {
-  std::vector<std::uint32_t> to(from.size());
-  for (std::size_t place = 0; place < from.size(); ++place) to[from[place]] = std::uint32_t(place);
+  const std::vector<std::uint32_t> to = inverse_of(from);
   const Column<std::uint32_t> old_a = std::exchange(a, {}), old_b = std::exchange(b, {});
   const Column<std::uint8_t> old_image = std::exchange(image, {});
   for (PairGroup& group : groups_) {

@@ -59,8 +59,7 @@ void DrivenBodies::Entries::rearrange(const std::vector<std::uint32_t>& to) {
 
 void DrivenBodies::rearrange(const std::vector<std::uint32_t>& from) {
   if (!any()) return;
-  std::vector<std::uint32_t> to(from.size());
-  for (std::size_t place = 0; place < from.size(); ++place) to[from[place]] = std::uint32_t(place);
+  const std::vector<std::uint32_t> to = inverse_of(from);
   held_.rearrange(to);
   loaded_.rearrange(to);
 }

@@ -314,7 +314,8 @@ Footprint Simulation::footprint() const {
           .held_bodies = held,
           .bytes_per_body = p.bytes_per_body(),
           .bytes_per_pair = parts_->forces.bytes_per_pair() + width * history_bytes,
-          .history_width = width};
+          .history_width = width,
+          .crossing_share = parts_->contacts.crossing_share()};
 }
 
 }  // namespace scree

@@ -113,7 +113,7 @@ void add_wall(const Simulation& s, std::size_t wall, std::size_t near, double sp
               std::vector<StepLimit>& limits) {
   const Scene& scene = s.scene();
   const double mass = s.boundaries().plane_masses()[wall];
-  const double face = std::pow(double(s.particles().size()), 1 - 1.0 / s.dimension());
+  const double face = std::pow(double(s.scene().bodies.size()), 1 - 1.0 / s.dimension());
   const double count = std::max(double(near), std::floor(face));
   const std::vector<OfMaterial> smallest = smallest_bodies(scene);
   for (std::size_t a = 0; a < smallest.size(); ++a) {
@@ -153,7 +153,7 @@ void add_motion(const Simulation& s, std::vector<StepLimit>& limits) {
     fastest = std::max(fastest, norm(s.particles().body(i).velocity - drift));
   for (const scree_plane& plane : s.planes())
     fastest = std::max(fastest, norm(Vec3{{plane.velocity[0], plane.velocity[1], plane.velocity[2]}}));
-  if (fastest > 0 && s.particles().size() > 0)
+  if (fastest > 0 && !s.scene().bodies.empty())
     limits.push_back(
         {fmt::format("the skin of {:.3g} m, which the fastest body or wall crosses at {:.3g} m/s,",
                      s.first_skin(), fastest),

@@ -169,7 +169,7 @@ TEST_CASE("bodies that have mixed are sorted again in memory, and only round-off
   sorted.step(), kept.step();
   REQUIRE(sorted.state().has(order_in_memory));
   REQUIRE(!kept.state().has(order_in_memory));
-  REQUIRE(sorted.contact_list().size() > 2000);
+  REQUIRE(sorted.contact_list().size() > 1000);  // of some 2200 bodies
   check_same_but_for_round_off(sorted, kept);
   CHECK(sorted.contacts().crossing_share() < kept.contacts().crossing_share() / 1.4);
 }

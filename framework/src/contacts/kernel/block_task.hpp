@@ -46,10 +46,13 @@ SCREE_HOT BlockTask<T> block_task(const TileJob& job, const Tiles::PairBlock& pa
       job, pairs, group, job.laws[group.law], pairs.pairs, job.constants->radius_sum.data() + pairs.begin};
 }
 
-template <int D, bool spin, bool planes, class T>
-SCREE_HOT void gather(const BlockTask<T>& task, BlockColumns<T>& block) {
-  for (std::uint32_t i = 0; i < task.padded(); i += 4)
+// Calls prefetch(i) before every four pairs.
+template <int D, bool spin, bool planes, class T, class Prefetch>
+SCREE_HOT void gather(const BlockTask<T>& task, BlockColumns<T>& block, const Prefetch& prefetch) {
+  for (std::uint32_t i = 0; i < task.padded(); i += 4) {
+    prefetch(i);
     gather_four<D, spin, planes>(*task.tile.input, task.pairs.begin + i, i, block);
+  }
   if constexpr (planes) separate_padding(task.count, task.padded(), block);
 }
 

@@ -2,12 +2,16 @@
 
 #include "contacts/kernel/block_task.hpp"
 #include "contacts/kernel/levels.hpp"
+#include "contacts/kernel/prefetch.hpp"
 #include "contacts/kernel/scatter.hpp"
 #include "contacts/kernel/sums.hpp"
 
 namespace scree::kernel {
 
 namespace {
+
+// In each of them the bodies of the next tile are prefetched once.
+constexpr std::size_t phases = 4;
 
 template <int D, bool spin, bool planes, class T>
 SCREE_HOT void scatter(const BlockTask<T>& task, BlockColumns<T>& block) {
@@ -28,37 +32,34 @@ SCREE_HOT void scatter(const BlockTask<T>& task, BlockColumns<T>& block) {
 }
 
 template <int D, bool spin, bool planes, class T>
+SCREE_HOT void gather_and_prefetch(const BlockTask<T>& task, BlockColumns<T>& block) {
+  if (!task.tile.tiles->exceed_caches()) return gather<D, spin, planes>(task, block, [](std::uint32_t) {});
+  const PairsAhead<T> pairs(task);
+  gather<D, spin, planes>(task, block, [&](std::uint32_t i) SCREE_INLINE_LAMBDA { pairs.prefetch(i); });
+}
+
+template <int D, bool spin, bool planes, class T>
 SCREE_HOT ContactSums evaluate_block(const BlockTask<T>& task, BlockColumns<T>& block,
-                                     double& largest_ratio) {
+                                     BodiesAhead<D, spin>& bodies, double& largest_ratio) {
   assert_layout(task);
   Laps laps(task.tile.profile);
-  gather<D, spin, planes>(task, block);
+  bodies.prefetch();
+  gather_and_prefetch<D, spin, planes>(task, block);
   if (reads_placement(task.law.interface))
     gather_placement<planes>(*task.tile.input, task.law.interface, task.pairs.begin, task.padded(), block);
   laps.lap(Profile::gather);
+  bodies.prefetch();
   resolve<D, spin, planes>(task, block);
   laps.lap(Profile::geometry);
+  bodies.prefetch();
   call_law<D>(task, block);
   laps.lap(Profile::law);
+  bodies.prefetch();
   scatter<D, spin, planes>(task, block);
   largest_ratio = largest_overlap_ratio<planes>(task.radius_sum, task.padded(), block, largest_ratio);
   const ContactSums sums = task.tile.input->audit ? sum_block(block, task.padded()) : ContactSums();
   laps.lap(Profile::reduce);
   return sums;
-}
-
-// Prefetches the bodies that the block after the next is the first to read.
-template <int D, bool spin>
-SCREE_HOT void prefetch_bodies(const TileJob& job, std::size_t block) {
-  constexpr std::size_t ahead = 2, cache_line = 64 / sizeof(double);
-  if (block + ahead >= job.tiles->blocks().size()) return;
-  const Tiles::PairBlock& next = job.tiles->blocks()[block + ahead];
-  for (std::size_t k = next.first_visit; k < next.last_visit; ++k) {
-    const double* record = record_of<D, spin>(job.input->records, job.tiles->visits()[k]);
-    for (std::size_t part = 0; part < record::width(D, spin); part += cache_line)
-      __builtin_prefetch(record + part);
-    __builtin_prefetch(job.slots + record::load_width(D, spin) * job.tiles->visits()[k], 1);
-  }
 }
 
 template <int D, bool spin, class T>
@@ -71,12 +72,12 @@ SCREE_HOT void evaluate_tile(const TileJob& job) {
   std::fill(job.slots + width * tile.first_foreign, job.slots + width * planes_and_padding, 0.0);
   BlockColumns<T> work;
   begin_batch(*job.input, work);
+  BodiesAhead<D, spin> bodies(job, phases * (tile.last_block - tile.first_block));
   double largest_ratio = job.input->max_overlap_ratio;
   for (std::size_t k = tile.first_block; k < tile.last_block; ++k) {
     const BlockTask<T> task = block_task<T>(job, job.tiles->blocks()[k]);
-    prefetch_bodies<D, spin>(job, k);
-    job.sums[k] = task.group.planes ? evaluate_block<D, spin, true>(task, work, largest_ratio)
-                                    : evaluate_block<D, spin, false>(task, work, largest_ratio);
+    job.sums[k] = task.group.planes ? evaluate_block<D, spin, true>(task, work, bodies, largest_ratio)
+                                    : evaluate_block<D, spin, false>(task, work, bodies, largest_ratio);
     job.sums[k].max_overlap_ratio = largest_ratio;
   }
 }

@@ -32,15 +32,10 @@ SCREE_HOT void evaluate_plane_load(const TileJob& job, scree_load& load) {
     const PairGroup& group = (*job.groups)[g];
     for (std::size_t begin = group.begin; begin < group.end; begin += block_size) {
       const auto count = std::uint32_t(std::min<std::size_t>(block_size, group.end - begin));
-      const Tiles::PairBlock pairs = {.group = g,
-                                      .begin = begin,
-                                      .count = std::uint32_t(padded_to_lanes(count)),
-                                      .pairs = count,
-                                      .first_visit = 0,
-                                      .last_visit = 0};
+      const Tiles::PairBlock pairs = {g, begin, std::uint32_t(padded_to_lanes(count)), count};
       const BlockTask<T> task = block_task<T>(job, pairs);
       assert_layout(task);
-      gather<D, spin, true>(task, work);
+      gather<D, spin, true>(task, work, [](std::uint32_t) {});
       if (reads_placement(task.law.interface))
         gather_placement<true>(*job.input, task.law.interface, pairs.begin, task.padded(), work);
       resolve<D, spin, true>(task, work);

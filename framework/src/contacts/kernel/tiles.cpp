@@ -7,13 +7,6 @@
 
 namespace scree::kernel {
 
-namespace {
-
-// Number of tiles that fit into second-level caches, at half a megabyte for a tile and its pairs.
-constexpr std::size_t tiles_in_cache = 4;
-
-}  // namespace
-
 // First the blocks of pairs inside the tile: their evaluation needs no body of another tile.
 void Tiles::cut_blocks(const Contacts& contacts, std::uint32_t t) {
   tiles_[t].first_block = blocks_.size();
@@ -25,7 +18,7 @@ void Tiles::cut_blocks(const Contacts& contacts, std::uint32_t t) {
       for (std::size_t p = run.begin; p < run.end; p += block_size) {
         const std::size_t pairs = std::min<std::size_t>(block_size, run.end - p);
         if ((p + pairs > run.crossing) != crossing) continue;
-        blocks_.push_back({g, p, std::uint32_t(padded_to_lanes(pairs)), std::uint32_t(pairs), 0, 0});
+        blocks_.push_back({g, p, std::uint32_t(padded_to_lanes(pairs)), std::uint32_t(pairs)});
       }
     }
   tiles_[t].last_block = blocks_.size();
@@ -77,23 +70,19 @@ void Tiles::find_reached_tiles() {
   }
 }
 
-void Tiles::list_first_visits(const Contacts& contacts) {
-  visits_.clear();
-  if (tiles_.size() <= tiles_in_cache) return;
-  visited_by_.assign(bodies_.size(), std::uint32_t(tiles_.size()));
+// In the order in which they are read.
+void Tiles::list_foreign_bodies(const Contacts& contacts) {
+  if (!exceed_caches()) return;
+  std::vector<std::uint32_t> listed_by(bodies_.size(), std::uint32_t(tiles_.size()));
   for (std::uint32_t t = 0; t < tiles_.size(); ++t)
-    for (std::size_t k = tiles_[t].first_block; k < tiles_[t].last_block; ++k) {
-      PairBlock& block = blocks_[k];
-      block.first_visit = visits_.size();
-      const auto visit = [&](std::uint32_t body) {
-        if (visited_by_[body] != t) visits_.push_back(body);
-        visited_by_[body] = t;
-      };
-      for (std::size_t p = block.begin; p < block.begin + block.count; ++p) {
-        visit(contacts.a[p]);
-        if (!contacts.groups()[block.group].planes) visit(contacts.b[p]);
-      }
-      block.last_visit = visits_.size();
+    for (const PairGroup& group : contacts.groups()) {
+      if (group.planes || group.runs.empty()) continue;
+      for (std::size_t p = group.runs[t].crossing; p < group.runs[t].end; ++p)
+        for (const std::uint32_t body : {contacts.a[p], contacts.b[p]}) {
+          if (bodies_.owner(body) == t || listed_by[body] == t) continue;
+          listed_by[body] = t;
+          tiles_[t].foreign.push_back(body);
+        }
     }
 }
 
@@ -118,7 +107,7 @@ void Tiles::plan(const Contacts& contacts, std::size_t planes) {
   assign_slots(contacts, planes);
   sort_incoming();
   find_reached_tiles();
-  list_first_visits(contacts);
+  list_foreign_bodies(contacts);
 }
 
 }  // namespace scree::kernel
