@@ -1,6 +1,7 @@
 #include "pictures.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -10,6 +11,7 @@
 #include <scree/pictures/frame_files.hpp>
 #include <scree/pictures/load_backend.hpp>
 #include <scree/scenario/charts.hpp>
+#include <scree/threads.hpp>
 
 namespace scree::run {
 
@@ -40,6 +42,7 @@ std::uint64_t Pictures::next(const Simulation& s, std::uint64_t steps) const {
 }
 
 void Pictures::transfer(const StateTransfer& state) {
+  finish();  // what a state lists is there
   std::vector<double> colors;
   if (const auto& range = range_.color_extent()) colors.assign(range->begin(), range->end());
   state.numbers("lower", "m", shown_.lower.data(), shown_.lower.size());
@@ -58,6 +61,16 @@ void Pictures::cut() {
 void Pictures::take_last(const Simulation& s) {
   if (plan_.snapshot.every) write_snapshot(s);
   if (plan_.snapshot.image_every) write_image(s);
+  finish();
+}
+
+void Pictures::write(std::function<void()> file) {
+  finish();
+  writing_ = in_background(std::move(file));
+}
+
+void Pictures::finish() {
+  if (writing_.valid()) writing_.get();
 }
 
 void Pictures::write_snapshot(const Simulation& s) {
@@ -66,8 +79,9 @@ void Pictures::write_snapshot(const Simulation& s) {
   for (const char* kind : pictures::frame_kinds)
     directory_.add("snapshots/" + pictures::frame_file(kind, s.steps())),
         directory_.add("snapshots/" + pictures::frame_index(kind));
-  backend().write_frame(frame_of(s, plan_.title, scene_box(s), plan_.snapshot.picture.color_by),
-                        directory_.path() / "snapshots");
+  write([this, frame = frame_of(s, plan_.title, scene_box(s), plan_.snapshot.picture.color_by)] {
+    backend().write_frame(frame, directory_.path() / "snapshots");
+  });
   if (plan_.snapshot.h5md) trajectory_.add(s);
 }
 
@@ -77,10 +91,13 @@ void Pictures::write_image(const Simulation& s) {
   pictures::RenderOptions options = plan_.snapshot.picture;
   options.time_spacing = *plan_.snapshot.image_every;
   shown_ = next_view(shown_, scene_box(s));
-  const pictures::Frame frame = frame_of(s, plan_.title, shown_, options.color_by);
+  pictures::Frame frame = frame_of(s, plan_.title, shown_, options.color_by);
   range_.add_colors(frame);
   if (!options.color_range) options.color_range = range_.colors();
-  backend().render(frame, options, directory_.add(fmt::format("images/frame_{:010}.png", s.steps())));
+  write([this, frame = std::move(frame), options,
+         file = directory_.add(fmt::format("images/frame_{:010}.png", s.steps()))] {
+    backend().render(frame, options, file);
+  });
 }
 
 std::vector<std::filesystem::path> Pictures::images() const {

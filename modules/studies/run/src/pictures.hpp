@@ -4,6 +4,7 @@
 #include "trajectory.hpp"
 
 #include <functional>
+#include <future>
 #include <memory>
 #include <string>
 
@@ -17,7 +18,8 @@
 namespace scree::run {
 
 // Snapshots, images and charts of a run. VTK is loaded only if the plan has snapshots or images, cairo only
-// if it has charts.
+// if it has charts. A thread writes a snapshot or an image while the run goes on, one at a time; Error of one
+// that cannot be written comes with the next, or at the end.
 class Pictures {
  public:
   // Throws Error if VTK is needed and cannot be loaded.
@@ -41,6 +43,10 @@ class Pictures {
   void draw_charts(const Sampler& sampler, const std::function<void(const std::string&)>& report);
 
  private:
+  // Begins to write a file, after the last is written.
+  void write(std::function<void()> file);
+  // Waits until the last file is on the disk.
+  void finish();
   void write_snapshot(const Simulation& simulation);
   std::vector<std::filesystem::path> images() const;
   void write_image(const Simulation& simulation);
@@ -54,6 +60,7 @@ class Pictures {
   pictures::ViewRange range_;  // of the colours of all pictures so far
   Trajectory trajectory_;
   std::uint64_t last_snapshot_ = ~0ull, last_image_ = ~0ull;
+  std::future<void> writing_;  // last: it is waited for before the others go
 };
 
 }  // namespace scree::run

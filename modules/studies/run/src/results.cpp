@@ -44,7 +44,7 @@ using Json = nlohmann::ordered_json;
 
 Json footprint_of(const Simulation& s) {
   const Footprint f = s.footprint();
-  return {{"bodies", s.particles().size()},
+  return {{"bodies", s.scene().bodies.size()},
           {"degrees_of_freedom", f.degrees_of_freedom},
           {"bytes_per_body", f.bytes_per_body},
           {"bytes_per_pair", f.bytes_per_pair},
@@ -136,7 +136,7 @@ void Results::take_quantities() {
 Json Results::record() {
   result_.wall_time = wall_time_before_ + session_.watch().total();
   result_.output = output_before_ + session_.watch().output();
-  const double work = double(simulation_.steps()) * double(simulation_.particles().size());
+  const double work = double(simulation_.steps()) * double(simulation_.scene().bodies.size());
   const double stepping = result_.wall_time - result_.output;
   result_.particle_steps_per_second = stepping > 0 ? work / stepping : 0;
   return run_record(plan_, options_, result_, simulation_);

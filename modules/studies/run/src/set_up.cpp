@@ -154,7 +154,7 @@ std::string describe_bodies(const Simulation& s) {
   std::vector<std::string> parts;
   if (print.fixed_bodies > 0) parts.push_back(fmt::format("{} fixed", print.fixed_bodies));
   if (print.held_bodies > 0) parts.push_back(fmt::format("{} fixed along some axes", print.held_bodies));
-  return fmt::format("{}{} in {}D", counted(s.particles().size(), "body", "bodies"),
+  return fmt::format("{}{} in {}D", counted(s.scene().bodies.size(), "body", "bodies"),
                      parts.empty() ? "" : fmt::format(" ({})", fmt::join(parts, ", ")), s.dimension());
 }
 

@@ -17,7 +17,7 @@ namespace scree::run {
 namespace {
 
 std::string partner_name(const Simulation& s, std::uint32_t b) {
-  const std::size_t bodies = s.particles().size();
+  const std::size_t bodies = s.scene().bodies.size();
   return b < bodies ? fmt::format("particle {}", s.particles().id[b])
                     : fmt::format("wall {}", s.plane_names()[b - bodies]);
 }
