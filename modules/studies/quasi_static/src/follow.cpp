@@ -61,7 +61,7 @@ void LoadStudy::measure_stage(const Simulation& simulation) {
   const bool cyclic = load_.period > 0;
   load_.increment = (cyclic ? load_.period : *stage.duration) / options_.increments;
   intervals_in_part_ = cyclic ? options_.increments : FollowOptions::increments_per_cycle;
-  load_.bodies = simulation.particles().size();
+  load_.bodies = simulation.scene().bodies.size();
 }
 
 void LoadStudy::begin_packing(std::unique_ptr<Simulation> simulation) {
