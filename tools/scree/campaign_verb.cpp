@@ -112,6 +112,46 @@ ExitStatus run_campaigns(const CampaignArguments& a) {
   return worst;
 }
 
+void add_batch_options(Verb& verb, const std::shared_ptr<CampaignArguments>& a) {
+  verb.option("--on", a->on,
+              "Submit what has not finished to this batch system, and return; for others --print-tasks")
+      .one_of({"slurm"});
+  verb.option("--partition", a->partition, "Partition of the jobs; others in [slurm] of the file")
+      .shown_as("NAME");
+  verb.option("--time", a->time,
+              "Limit of time of a task, as of sbatch: 4:00:00; a run that exceeds it goes on")
+      .shown_as("TIME");
+  verb.option("--per-task", a->per_task, "Runs in a task (default 1), for runs of seconds")
+      .between(1, 100000);
+  verb.flag("--print-tasks", a->print_tasks,
+            "Print the tasks, a command each, for any batch system; run nothing");
+  verb.option("--task", a->task, "Do task K of --print-tasks, from 0, unless it is done").shown_as("K");
+  verb.flag(
+      "--gather", a->gather,
+      "Write the tables and the report of what has been run, status 1 if runs are missing; run nothing");
+}
+
+constexpr const char* campaign_footer =
+    "What has finished is not run again, and interrupted runs go on from their last state: give the same call\n"
+    "after Ctrl-C, a failure, or new values in the file. A campaign file:\n"
+    "  [campaign]\n"
+    "  scenario = \"../fall.toml\"               # relative to this file\n"
+    "  seeds = [1, 2, 3]                       # or { first = 1, count = 20 }\n"
+    "  collect = [\"energy.work.last\"]          # quantities as in [[expect]], for the table\n"
+    "  spectrum = \"pulse\"                     # measures spectra by this method instead of running\n"
+    "  [set]                                   # keys as in scree run --set\n"
+    "  \"contact.static_friction\" = [0.1, 0.3]  # a list of values; all combinations are run\n"
+    "  \"particles.lattice.count\" = [[5, 5, 8]] # a value that is itself a list\n"
+    "  \"time.step\" = 1e-5                      # for all runs\n"
+    "  [[case]]                                # a named set of values\n"
+    "  name = \"soft\"\n"
+    "  set.contact.normal_stiffness = 1000\n"
+    "  prepare.boundary.lid.stress = 1e4       # of its preparation; without any, cases share those of the seeds\n"
+    "  [prepare]                               # run first, for each seed; all runs begin from its final state\n"
+    "  scenario = \"settle.toml\"\n"
+    "  set.time.step = 1e-5                    # for the preparations; a list is a value\n"
+    "Example: scree campaign scenarios/david2005/friction-campaign.toml --jobs 2 --set campaign.seeds=[1]";
+
 }  // namespace
 
 void add_campaign_verb(CommandLine& line) {
@@ -131,45 +171,11 @@ void add_campaign_verb(CommandLine& line) {
           "A line of [set], in place of that of the file; campaign.KEY of [campaign], prepare.KEY of [prepare]")
       .shown_as("KEY=VALUE");
   verb.flag("--list", a->list, "List each preparation and run with its status and job; run nothing");
-  verb.option("--on", a->on,
-              "Submit what has not finished to this batch system, and return; for others --print-tasks")
-      .one_of({"slurm"});
-  verb.option("--partition", a->partition, "Partition of the jobs; others in [slurm] of the file")
-      .shown_as("NAME");
-  verb.option("--time", a->time,
-              "Limit of time of a task, as of sbatch: 4:00:00; a run that exceeds it goes on")
-      .shown_as("TIME");
-  verb.option("--per-task", a->per_task, "Runs in a task (default 1), for runs of seconds")
-      .between(1, 100000);
-  verb.flag("--print-tasks", a->print_tasks,
-            "Print the tasks, a command each, for any batch system; run nothing");
-  verb.option("--task", a->task, "Do task K of --print-tasks, from 0, unless it is done").shown_as("K");
-  verb.flag(
-      "--gather", a->gather,
-      "Write the tables and the report of what has been run, status 1 if runs are missing; run nothing");
+  add_batch_options(verb, a);
   verb.flag("--overwrite", a->overwrite, "Begin all runs anew, also finished and interrupted ones");
   verb.flag("--quiet", a->quiet, "No progress, only the summary");
   add_plugin_options(verb, a->plugins);
-  verb.footer(
-      "What has finished is not run again, and interrupted runs go on from their last state: give the same call\n"
-      "after Ctrl-C, a failure, or new values in the file. A campaign file:\n"
-      "  [campaign]\n"
-      "  scenario = \"../fall.toml\"               # relative to this file\n"
-      "  seeds = [1, 2, 3]                       # or { first = 1, count = 20 }\n"
-      "  collect = [\"energy.work.last\"]          # quantities as in [[expect]], for the table\n"
-      "  spectrum = \"pulse\"                     # measures spectra by this method instead of running\n"
-      "  [set]                                   # keys as in scree run --set\n"
-      "  \"contact.static_friction\" = [0.1, 0.3]  # a list of values; all combinations are run\n"
-      "  \"particles.lattice.count\" = [[5, 5, 8]] # a value that is itself a list\n"
-      "  \"time.step\" = 1e-5                      # for all runs\n"
-      "  [[case]]                                # a named set of values\n"
-      "  name = \"soft\"\n"
-      "  set.contact.normal_stiffness = 1000\n"
-      "  prepare.boundary.lid.stress = 1e4       # of its preparation; without any, cases share those of the seeds\n"
-      "  [prepare]                               # run first, for each seed; all runs begin from its final state\n"
-      "  scenario = \"settle.toml\"\n"
-      "  set.time.step = 1e-5                    # for the preparations; a list is a value\n"
-      "Example: scree campaign scenarios/david2005/friction-campaign.toml --jobs 2 --set campaign.seeds=[1]");
+  verb.footer(campaign_footer);
   verb.action([a] { return run_campaigns(*a); });
 }
 
