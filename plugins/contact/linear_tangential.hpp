@@ -27,7 +27,7 @@ struct Linear {
       return "dynamic_friction is above static_friction; give at most the static value";
     if (static_friction > 0 && stiffness <= 0)
       return "friction needs tangential_stiffness above 0; give it, or static_friction = 0";
-    // Its reciprocal, and the square of the time γ_t/k_t, must be finite in single precision too.
+    // Its reciprocal, and the square of the time γ_t/k_t, must be finite.
     if (static_friction > 0 && !(stiffness > 1e-15 * std::max(1.0, damping)))
       return "tangential_stiffness is too small for the number format; "
              "give at least 1e-15 N/m and at least 1e-15/s times tangential_damping";

@@ -13,7 +13,7 @@ TEST_CASE("accuracy prints the cheapest setting and writes table, summary and ch
                            "The cheapest setting within 0.01 is ", "results in study"})
     CHECK(outcome.out.find(part) != std::string::npos);
   CHECK(w.has("study/accuracy.csv"));
-  CHECK(nlohmann::json::parse(w.text("study/accuracy.json"))["orders"].size() == 8);
+  CHECK(nlohmann::json::parse(w.text("study/accuracy.json"))["orders"].size() == 4);
   CHECK(nlohmann::json::parse(w.text("study/accuracy.json"))["options"] ==
         nlohmann::json({{"tolerance", 0.01}, {"coarsest", 1.0}, {"count", 3}}));
   CHECK(w.has("study/charts/worst_error.png"));

@@ -79,7 +79,7 @@ TEST_CASE("invalid options are reported in one line", "[tools]") {
                   "; see scree run --help");
   refused_options("--set time.step", "--set time.step: has no '='; ", "write --set key=value");
   refused_options("--set time.stp=1", "--set time.stp=1: unknown key 'stp' in [time]; did you mean 'step'? ",
-                  "step, step_guard, expected_speed, energy_audit, integrator, precision, duration");
+                  "step, step_guard, expected_speed, energy_audit, integrator, duration");
   refused_options("--plugins nowhere", "--plugins nowhere: is not a directory; ",
                   "boundary/, body_force/, probe/");
   const Workspace w;

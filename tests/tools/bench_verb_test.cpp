@@ -17,8 +17,8 @@ TEST_CASE("bench appends a row per call to a CSV with one header, and prints pha
   std::istringstream csv(w.text("bench.csv"));
   std::string header, one, two, more;
   std::getline(csv, header), std::getline(csv, one), std::getline(csv, two);
-  CHECK(header.starts_with("version,scene,precision,particles,contacts,threads,time,steps,repeats,"));
-  CHECK(one.find(",scene,double,9,") != std::string::npos);
+  CHECK(header.starts_with("version,scene,particles,contacts,threads,time,steps,repeats,"));
+  CHECK(one.find(",scene,9,") != std::string::npos);
   CHECK(std::count(one.begin(), one.end(), ',') == std::count(header.begin(), header.end(), ','));
   CHECK_FALSE(std::getline(csv, more));
   const std::string cut = w.text("bench.csv");

@@ -139,7 +139,6 @@ TEST_CASE("quasi-static refuses what it cannot follow in one line and writes not
     CHECK(!w.has("out"));
   };
   refused("--elastic", "--elastic belongs to scree modes, which finds modes; leave it out");
-  refused("--set time.precision=mixed", "a quasi-static load takes double precision");
   refused("--set stage.cycles.set.box.x_low=velocity --set stage.cycles.set.box.velocity_x_low=1e-3",
           "wall box.x_low is moved with 0.001 m/s");
   refused("--near 5", "--near belongs to scree modes, which finds modes; leave it out");

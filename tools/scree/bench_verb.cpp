@@ -48,10 +48,10 @@ std::filesystem::path scene_file(const std::string& scene) {
 // Not finite without contacts.
 double ns_per_contact(const BenchResult& r) { return 1e9 * r.median() / double(r.contacts); }
 
-void print(const std::string& scene, const std::string& precision, unsigned threads, const BenchResult& r) {
+void print(const std::string& scene, unsigned threads, const BenchResult& r) {
   const auto [fastest, slowest] = std::minmax_element(r.s_per_step.begin(), r.s_per_step.end());
-  fmt::print("{}: {}, {}, {}, {}\n", scene, counted(r.particles, "particle"), counted(r.contacts, "contact"),
-             precision, counted(threads, "thread"));
+  fmt::print("{}: {}, {}, {}\n", scene, counted(r.particles, "particle"), counted(r.contacts, "contact"),
+             counted(threads, "thread"));
   fmt::print("{:.4g} ms per step ({:.4g} to {:.4g} in {} of {}, starting at t = {:.4g} s)\n",
              1e3 * r.median(), 1e3 * *fastest, 1e3 * *slowest, counted(r.s_per_step.size(), "repeat"),
              counted(r.steps, "step"), r.first_time);
@@ -74,7 +74,7 @@ void print(const std::string& scene, const std::string& precision, unsigned thre
 
 std::string csv_header() {
   std::string header =
-      "version,scene,precision,particles,contacts,threads,time,steps,repeats,s_per_step,s_per_step_fastest,"
+      "version,scene,particles,contacts,threads,time,steps,repeats,s_per_step,s_per_step_fastest,"
       "s_per_step_slowest,particle_steps_per_second,ns_per_contact,bytes_per_particle,bytes_per_contact,"
       "crossing_share,searches";
   for (const char* name : Profile::names) header += fmt::format(",{}_s", name);
@@ -106,10 +106,9 @@ Table table_at(const std::filesystem::path& path) {
   return t;
 }
 
-std::string csv_row(const std::string& scene, const std::string& precision, unsigned threads,
-                    const BenchResult& r) {
+std::string csv_row(const std::string& scene, unsigned threads, const BenchResult& r) {
   const auto [fastest, slowest] = std::minmax_element(r.s_per_step.begin(), r.s_per_step.end());
-  std::vector<std::string> cells = {SCREE_VERSION, scene, precision};
+  std::vector<std::string> cells = {SCREE_VERSION, scene};
   const auto add = [&](auto number) { cells.push_back(fmt::format("{}", number)); };
   add(r.particles), add(r.contacts), add(threads), add(r.first_time), add(r.steps), add(r.s_per_step.size());
   add(r.median()), add(*fastest), add(*slowest), add(double(r.particles) / r.median());
@@ -126,11 +125,10 @@ ExitStatus bench(const BenchArguments& a) {
   Table csv;
   if (!a.csv.empty()) csv = table_at(a.csv);
   const std::string name = std::filesystem::path(a.scene).stem().string();
-  const std::string precision = precision_name(plan.scene.precision);
   const BenchResult result = time_steps(plan, a.options);
-  print(name, precision, a.options.threads, result);
+  print(name, a.options.threads, result);
   if (a.csv.empty()) return ExitStatus::success;
-  if (!(csv.file << csv.before << csv_row(name, precision, a.options.threads, result) << std::flush))
+  if (!(csv.file << csv.before << csv_row(name, a.options.threads, result) << std::flush))
     throw Error(fmt::format("{}: cannot be written; free disk space or give another --csv", a.csv),
                 ExitStatus::failure);
   return ExitStatus::success;

@@ -41,8 +41,6 @@ class ContactColumns {
     const scree_contact_batch contacts = batch(step, kick);
     law.instance().evaluate(law.storage(), &contacts);
   }
-  // The same in single precision, rounded on the way in. Does nothing without `evaluate_single`.
-  void evaluate_single(const ConfiguredLaw& law, double step, double kick = 0);
 
  private:
   void derive_inputs();

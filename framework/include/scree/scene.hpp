@@ -7,7 +7,6 @@
 #include <scree/integration.hpp>
 #include <scree/parameters.hpp>
 #include <scree/particles.hpp>
-#include <scree/precision.hpp>
 
 namespace scree {
 
@@ -42,7 +41,6 @@ struct Scene {
   int dimension = 3;
   double step = 0;  // (s)
   Integration integration = Integration::velocity_verlet;
-  Precision precision = Precision::double_precision;
   // (m/s) impact speed for which the time step is checked; 0: derived from the initial velocities
   double expected_speed = 0;
   double skin = 0;       // (m); 0: starts at a tenth of the mean radius and adapts to the motion

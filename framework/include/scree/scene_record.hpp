@@ -10,7 +10,7 @@
 namespace scree {
 
 // The scene in the state of a simulation:
-//   scene/       dimension, integrator, precision, materials, plug-ins with names and parameter values, and groups
+//   scene/       dimension, integrator, materials, plug-ins with names and parameter values, and groups
 //   bodies/      id, material, radius, mass, inertia and, if there are any, fixed and held, which are constant
 //   start/       position, velocity and spin at t = 0, from which limits of the scene follow; velocity and
 //                spin only if not all are 0

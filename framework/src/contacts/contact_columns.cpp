@@ -26,39 +26,18 @@ void ContactColumns::derive_inputs() {
   }
 }
 
-namespace {
-
-// A batch of `count` contacts whose columns lie one after the other.
-template <class Batch, class T>
-Batch batch_of(double step, double kick, std::size_t count, const T* input, T* history, T* output) {
-  Batch contacts = {};
-  contacts.struct_size = sizeof(contacts);
-  contacts.count = std::uint32_t(count);
-  contacts.step = step;
-  contacts.kick = kick;
-  for (std::size_t k = 0; k < SCREE_CONTACT_INPUT_COUNT; ++k) contacts.input[k] = input + k * count;
-  for (std::size_t k = 0; k < SCREE_MAX_HISTORY; ++k) contacts.history[k] = history + k * count;
-  for (std::size_t k = 0; k < SCREE_CONTACT_OUTPUT_COUNT; ++k) contacts.output[k] = output + k * count;
-  return contacts;
-}
-
-}  // namespace
-
 scree_contact_batch ContactColumns::batch(double step, double kick) {
   derive_inputs();
-  return batch_of<scree_contact_batch>(step, kick, padded_, input_.data(), history_.data(), output_.data());
-}
-
-void ContactColumns::evaluate_single(const ConfiguredLaw& law, double step, double kick) {
-  if (!law.instance().evaluate_single) return;
-  derive_inputs();
-  const Column<float> input(input_.begin(), input_.end());
-  Column<float> history(history_.begin(), history_.end()), output(output_.size(), 0.0f);
-  const auto contacts =
-      batch_of<scree_contact_batch_single>(step, kick, padded_, input.data(), history.data(), output.data());
-  law.instance().evaluate_single(law.storage(), &contacts);
-  std::copy(history.begin(), history.end(), history_.begin());
-  std::copy(output.begin(), output.end(), output_.begin());
+  scree_contact_batch contacts = {};
+  contacts.struct_size = sizeof(contacts);
+  contacts.count = std::uint32_t(padded_);
+  contacts.step = step;
+  contacts.kick = kick;
+  for (std::size_t k = 0; k < SCREE_CONTACT_INPUT_COUNT; ++k) contacts.input[k] = input_.data() + k * padded_;
+  for (std::size_t k = 0; k < SCREE_MAX_HISTORY; ++k) contacts.history[k] = history_.data() + k * padded_;
+  for (std::size_t k = 0; k < SCREE_CONTACT_OUTPUT_COUNT; ++k)
+    contacts.output[k] = output_.data() + k * padded_;
+  return contacts;
 }
 
 }  // namespace scree

@@ -21,13 +21,12 @@ std::uint8_t reversed(std::uint8_t image) { return std::uint8_t(2 * Domain::no_s
 
 }  // namespace
 
-Contacts::Contacts(const std::vector<Kind>& kinds, Precision precision, BodyTiles tiles) : tiles_(tiles) {
+Contacts::Contacts(const std::vector<Kind>& kinds, BodyTiles tiles) : tiles_(tiles) {
   for (const Kind& kind : kinds) {
     PairGroup group;
     group.law = kind.law;
     group.planes = kind.planes;
     group.history_width = kind.history_width;
-    group.history = PairColumns(precision);
     before_.push_back({0, {}, group.history});
     groups_.push_back(std::move(group));
   }
@@ -131,7 +130,7 @@ void Contacts::rearrange(const std::vector<std::uint32_t>& from) {
       pairs.push_back({to[old_a[q]], group.planes ? old_b[q] : to[old_b[q]], old_image[q],
                        std::uint32_t(q - group.begin)});
     });
-    const PairColumns history = std::exchange(group.history, PairColumns(group.history.precision()));
+    const PairColumns history = std::exchange(group.history, {});
     const std::vector<PairColumns::Move> rows = fill_unsorted(group, pairs);
     group.history.take(history, rows);
   }

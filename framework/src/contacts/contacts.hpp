@@ -39,7 +39,7 @@ struct PairGroup {
   std::size_t pairs = 0;           // without padding
   std::vector<PairRun> runs = {};  // of each tile
   std::uint32_t history_width = 0;
-  PairColumns history = PairColumns();  // (width, padded size), zero where the pair does not touch
+  PairColumns history;  // (width, padded size), zero where the pair does not touch
 
   std::size_t padded_size() const { return padded_to_lanes(end - begin); }
   // Calls visit(pair) for all pairs without padding.
@@ -49,7 +49,7 @@ struct PairGroup {
       for (std::size_t q = run.begin; q < run.end; ++q) visit(q);
   }
   // History value k of a pair, which is numbered over all groups.
-  double history_of(std::size_t pair, std::uint32_t k) const { return history.value(k, pair - begin); }
+  double history_of(std::size_t pair, std::uint32_t k) const { return history.column(k)[pair - begin]; }
 };
 
 // All candidate pairs of a scene in a fixed order, with the histories of their laws. The pairs change only in
@@ -73,8 +73,7 @@ class Contacts {
   };
 
   // tiles: into which the pairs are divided.
-  explicit Contacts(const std::vector<Kind>& kinds = {}, Precision precision = Precision::double_precision,
-                    BodyTiles tiles = BodyTiles(0));
+  explicit Contacts(const std::vector<Kind>& kinds = {}, BodyTiles tiles = BodyTiles(0));
 
   // Replaces the pairs (of places, sorted by a, b) and keeps the histories of pairs that existed before.
   void rebuild(const std::vector<NeighbourPair>& bodies, const std::vector<PlanePair>& planes,
@@ -150,7 +149,7 @@ class Contacts {
   struct Before {
     std::size_t begin = 0;
     std::vector<PairRun> runs = {};
-    PairColumns history = PairColumns();
+    PairColumns history;
   };
 
   // The rows of the pairs [q, q_end) that were among [p, p_end) before; both are sorted.

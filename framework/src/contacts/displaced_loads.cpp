@@ -6,7 +6,7 @@
 namespace scree {
 
 DisplacedLoads::DisplacedLoads(const Forces::Features& features)
-    : features_(features), evaluate_(kernel::plane_load_evaluation(features)) {}
+    : evaluate_(kernel::plane_load_evaluation(features)) {}
 
 scree_load DisplacedLoads::load(const Scene& scene, std::size_t plane, const double* displacement) {
   PlanePairs& pairs = pairs_of(scene, plane);
@@ -49,11 +49,7 @@ scree_load DisplacedLoads::load(const Scene& scene, std::size_t plane, const dou
 }
 
 DisplacedLoads::PlanePairs& DisplacedLoads::pairs_of(const Scene& scene, std::size_t plane) {
-  while (pairs_.size() <= plane)
-    pairs_.push_back({.revision = 0,
-                      .contacts = Contacts({}, features_.precision),
-                      .constants = PairConstants(features_.precision),
-                      .rows = {}});
+  while (pairs_.size() <= plane) pairs_.emplace_back();
   PlanePairs& pairs = pairs_[plane];
   if (pairs.revision != scene.contacts.revision()) take(scene, plane, pairs);
   return pairs;
@@ -64,7 +60,7 @@ void DisplacedLoads::take(const Scene& scene, std::size_t plane, PlanePairs& pai
   std::vector<Contacts::Kind> kinds;
   for (const PairGroup& group : scene.contacts.groups())
     if (group.planes) kinds.push_back({group.law, true, group.history_width});
-  pairs.contacts = Contacts(kinds, features_.precision);
+  pairs.contacts = Contacts(kinds);
   pairs.rows.assign(kinds.size(), {});
   std::size_t next = 0;
   for (const PairGroup& all : scene.contacts.groups()) {

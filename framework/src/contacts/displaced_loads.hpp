@@ -45,7 +45,6 @@ class DisplacedLoads {
   PlanePairs& pairs_of(const Scene& scene, std::size_t plane);
   void take(const Scene& scene, std::size_t plane, PlanePairs& pairs) const;
 
-  Forces::Features features_;
   kernel::EvaluatePlaneLoad evaluate_;
   std::vector<PlanePairs> pairs_;  // of each plane, filled when its load is first asked for
   std::vector<scree_plane> planes_;

@@ -14,8 +14,7 @@
 namespace scree {
 
 struct Forces::Work {
-  explicit Work(const Features& features)
-      : evaluate(kernel::tile_evaluation(features)), constants(features.precision) {}
+  explicit Work(const Features& features) : evaluate(kernel::tile_evaluation(features)) {}
 
   kernel::EvaluateTile evaluate;
   std::uint64_t revision = 0;  // of the contacts for which the members below were computed
@@ -156,7 +155,7 @@ Vec3 Forces::pair_force(std::size_t p) const {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   if (!features_.pair_forces) return {{unknown, unknown, unknown}};
   Vec3 force = {};
-  for (int k = 0; k < features_.dimension; ++k) force[k] = work_->constants.force.value(std::uint32_t(k), p);
+  for (int k = 0; k < features_.dimension; ++k) force[k] = work_->constants.force.column(std::uint32_t(k))[p];
   return force;
 }
 

@@ -39,7 +39,6 @@ class Forces {
     bool periodic = false;
     bool audit = true;        // laws report energies
     bool pair_forces = true;  // per-contact forces are stored
-    Precision precision = Precision::double_precision;
   };
 
   explicit Forces(const Features& features);

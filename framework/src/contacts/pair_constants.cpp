@@ -16,7 +16,7 @@ void PairConstants::update(const Contacts& contacts, const Particles& p, std::ui
   }
   const auto set = [this](scree_contact_input column, std::size_t q, double value) {
     PairColumns& term = terms[column - SCREE_REDUCED_MASS];
-    if (term.size() > 0) term.set(0, q, value);
+    if (term.size() > 0) term.column(0)[q] = value;
   };
   for (const PairGroup& group : contacts.groups()) {
     group.each_pair([&](std::size_t q) {
@@ -33,15 +33,15 @@ void PairConstants::update(const Contacts& contacts, const Particles& p, std::ui
       for (std::size_t q = run.end; q < run.begin + run.padded_size(); ++q) {
         radius_sum[q] = -1;
         for (PairColumns& term : terms)
-          if (term.size() > 0) term.set(0, q, 1);
+          if (term.size() > 0) term.column(0)[q] = 1;
       }
   }
 }
 
 std::size_t PairConstants::bytes_per_pair() const {
-  std::size_t bytes = sizeof(double) + force.width() * force.bytes_per_number();
-  for (const PairColumns& term : terms) bytes += term.width() * term.bytes_per_number();
-  return bytes;
+  std::size_t columns = 1 + force.width();
+  for (const PairColumns& term : terms) columns += term.width();
+  return columns * sizeof(double);
 }
 
 }  // namespace scree

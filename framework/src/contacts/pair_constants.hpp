@@ -14,8 +14,6 @@ struct PairConstants {
   // Inputs of laws from SCREE_REDUCED_MASS to SCREE_EFFECTIVE_RADIUS.
   static constexpr std::uint32_t column_count = SCREE_ORIENTATION_A - SCREE_REDUCED_MASS;
 
-  explicit PairConstants(Precision precision) : force(precision) { terms.fill(PairColumns(precision)); }
-
   // Recomputes the constants of all pairs, padding included. reads: bits of the inputs that any law reads,
   // only these are stored; forces: whether per-contact forces are stored.
   void update(const Contacts& contacts, const Particles& particles, std::uint32_t reads, bool forces);

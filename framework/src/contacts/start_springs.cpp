@@ -57,7 +57,7 @@ StartSprings place_springs(const std::vector<Scene::Spring>& springs, const Cont
     const Vec3 along = spring.a == first ? spring.displacement : -1.0 * spring.displacement;
     const Vec3 tangential = along - dot(along, normal) * normal;
     const auto [group, row] = contacts.find(false, first, second, order);
-    for (int k = 0; k < dimension; ++k) group->history.set(std::uint32_t(k), row, tangential[k]);
+    for (int k = 0; k < dimension; ++k) group->history.column(std::uint32_t(k))[row] = tangential[k];
     ++result.placed;
   }
   return result;

@@ -12,7 +12,7 @@ namespace scree {
 
 namespace {
 
-// Histories of mixed precision are stored as float.
+// Some states of earlier versions have histories of float.
 std::vector<double> as_double(const StateArray& array) {
   std::vector<double> numbers;
   std::visit(

@@ -4,7 +4,6 @@
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 
 // The code of the hot loops is inlined completely into one function per instruction level (evaluate.cpp).
 #define SCREE_HOT [[gnu::always_inline]] inline
@@ -14,7 +13,6 @@ namespace scree::kernel {
 
 // Four doubles, one part of a body's record, in one vector register; in two registers without AVX.
 typedef double Four __attribute__((vector_size(32)));
-typedef float FourSingles __attribute__((vector_size(16)));
 
 inline bool is_aligned(const double* p) { return reinterpret_cast<std::uintptr_t>(p) % sizeof(Four) == 0; }
 
@@ -32,10 +30,8 @@ SCREE_HOT void store_four(double* aligned, const Four& v) {
 }
 SCREE_HOT void add_four(double* aligned, const Four& v) { store_four(aligned, load_four(aligned) + v); }
 
-// Integer of the size of T, for counting lanes: a wider or narrower counter would change the vector width of
-// loops.
-template <class T>
-using Count = std::conditional_t<sizeof(T) == 8, std::int64_t, std::int32_t>;
+// For counting lanes: a narrower counter would change the vector width of loops.
+using Count = std::int64_t;
 
 // 4 × 4 transpose. The first stage uses integer shuffles: processors have two execution units for these, and
 // one for the same shuffle of floating-point numbers.
@@ -55,17 +51,6 @@ SCREE_HOT void transpose(Four& a, Four& b, Four& c, Four& d) {
   b = __builtin_shufflevector(ab_second, cd_second, 0, 1, 4, 5);
   c = __builtin_shufflevector(ab_first, cd_first, 2, 3, 6, 7);
   d = __builtin_shufflevector(ab_second, cd_second, 2, 3, 6, 7);
-}
-
-// Four adjacent numbers of a column of double or float.
-SCREE_HOT void store_lanes(double* column, const Four& v) { store_four(column, v); }
-SCREE_HOT void store_lanes(float* column, const Four& v) {
-  *static_cast<FourSingles*>(__builtin_assume_aligned(column, 16)) = __builtin_convertvector(v, FourSingles);
-}
-SCREE_HOT Four load_lanes(const double* column) { return load_four(column); }
-SCREE_HOT Four load_lanes(const float* column) {
-  const auto v = *static_cast<const FourSingles*>(__builtin_assume_aligned(column, 16));
-  return __builtin_convertvector(v, Four);
 }
 
 }  // namespace scree::kernel

@@ -160,14 +160,14 @@ void save_scene(const StateTransfer& state, const Scene& scene) {
   std::int32_t dimension = scene.dimension;
   double step = scene.step;
   std::string integrator = traits_of(scene.integration).name;
-  bool single = scene.precision == Precision::mixed, audit = scene.audit;
+  bool mixed_precision = false, audit = scene.audit;
   std::vector<std::string> materials = scene.materials;
   std::vector<std::uint32_t> law_of = scene.law_of;
   state.value("plugin_interface", "", interface);
   state.value("dimension", "", dimension);
   state.value("step", "s", step);
   state.value("integrator", "", integrator);
-  state.value("mixed_precision", "", single);
+  state.value("mixed_precision", "", mixed_precision);
   state.value("energy_audit", "", audit);
   state.rows("materials", "", materials);
   state.rows("law_of", "", law_of, std::max<std::size_t>(1, materials.size()));
@@ -240,7 +240,22 @@ bool has_laws_of(const State& state, const Scene& scene) {
   return is_recorded(state, record_of(scene), "scene/law_");
 }
 
+namespace {
+
+// Earlier versions could evaluate contacts in single precision.
+void refuse_mixed_precision(const State& state) {
+  bool mixed = false;
+  StateTransfer::restoring_from(state).value("scene/mixed_precision", "", mixed);
+  if (mixed)
+    throw StateError(
+        "the state is of a run in mixed precision, which has been removed; begin a new run from it "
+        "(particles.state)");
+}
+
+}  // namespace
+
 void check_scene(const State& state, const Scene& scene) {
+  refuse_mixed_precision(state);
   const State present = record_of(scene);
   for (const auto& [path, array] : present.arrays())
     if (const StateArray& stored = state.at(path); stored != array)

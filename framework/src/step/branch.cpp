@@ -21,7 +21,7 @@ StateTransfer from(const State& state) { return StateTransfer::restoring_from(st
 StateTransfer bodies_of(const State& state) { return from(state).below("bodies"); }
 
 constexpr std::uint32_t no_plane = ~std::uint32_t(0);
-constexpr double single_round_off = 1e-6;  // of springs and energies in single precision
+constexpr double round_off = 1e-6;  // of springs and energies, which earlier versions could keep as float
 
 // How much of an energy (J) is lost, and where it is found; nothing without an audit.
 std::string energy_text(bool audit, double lost, double before, const char* column) {
@@ -180,7 +180,7 @@ bool is_absent(const SimulationParts& parts, bool plane, std::uint32_t a, std::u
 std::size_t Branch::take_over_histories(SimulationParts& parts) {
   std::size_t taken = 0;
   dropped_ = each_row(parts, [&](PairGroup& group, std::size_t row, std::span<const double> numbers) {
-    for (std::uint32_t k = 0; k < group.history_width; ++k) group.history.set(k, row, numbers[k]);
+    for (std::uint32_t k = 0; k < group.history_width; ++k) group.history.column(k)[row] = numbers[k];
     ++taken;
   });
   return taken;
@@ -219,9 +219,7 @@ void Branch::count_lost(SimulationParts& parts) {
   if (!same_laws) parts.audit.add_lost(parts.contact_sums);
   const ContactSums before = SimulationParts::contact_sums_in(state_);
   if (!same_laws && branching_.histories) report_cut(parts, lost, before.elastic_tangential);
-  const auto missing = [](double then, double now) {
-    return then - now > single_round_off * then ? then - now : 0;
-  };
+  const auto missing = [](double then, double now) { return then - now > round_off * then ? then - now : 0; };
   double released = 0;
   if (dropped_.all() > 0)
     released +=
@@ -242,9 +240,9 @@ void Branch::report_cut(SimulationParts& parts, double lost, double before) {
     for (std::uint32_t k = 0; k < group.history_width; ++k) {
       if (std::int32_t(k) == sliding) continue;
       largest = std::max(largest, std::abs(numbers[k]));
-      change = std::max(change, std::abs(group.history.value(k, row) - numbers[k]));
+      change = std::max(change, std::abs(group.history.column(k)[row] - numbers[k]));
     }
-    cut += change > single_round_off * largest;
+    cut += change > round_off * largest;
     ++all;
   });
   if (cut == 0 || (parts.scene.audit && !(lost > 0))) return;

@@ -28,9 +28,8 @@ void report_not_a_number(const Simulation& s, const Body& body) {
     return;
   stop(fmt::format("particle {}", body.id),
        fmt::format("position, velocity or spin is not a number {}", where(s)),
-       fmt::format("use a shorter time.step (now {:g} s) or check for overlapping bodies at the start{}",
-                   s.step_length(),
-                   s.scene().precision == Precision::mixed ? ", or use precision = \"double\"" : ""));
+       fmt::format("use a shorter time.step (now {:g} s) or check for overlapping bodies at the start",
+                   s.step_length()));
 }
 
 void report_speed(const Simulation& s, std::int64_t id, double speed, double limit) {

@@ -112,7 +112,7 @@ Simulation::Simulation(const Scene& scene, const State& state, const Branching& 
   check_health(parts_->stepper.initial_state_is_sound());
 }
 
-constexpr double smallest_cut = 1e-6;  // round-off of energies in single precision
+constexpr double smallest_cut = 1e-6;  // of an energy; round-off is less
 
 // The first evaluation has set all else that laws keep, such as the radius of a contact; the second one cuts
 // the springs at the limit of friction.
@@ -302,7 +302,6 @@ Footprint Simulation::footprint() const {
   const Particles& p = parts_->particles;
   std::uint32_t width = 0;
   for (const LawInstance& law : parts_->laws) width = std::max(width, law.interface.history_width);
-  const std::size_t history_bytes = PairColumns(parts_->scene.precision).bytes_per_number();
   const std::size_t spins = std::size_t(p.spin_axes().last - p.spin_axes().first);
   const auto fixed = std::size_t(std::count(p.fixed.begin(), p.fixed.end(), 1));
   const auto held = p.held.size() - std::size_t(std::count(p.held.begin(), p.held.end(), 0));
@@ -313,7 +312,7 @@ Footprint Simulation::footprint() const {
           .fixed_bodies = fixed,
           .held_bodies = held,
           .bytes_per_body = p.bytes_per_body(),
-          .bytes_per_pair = parts_->forces.bytes_per_pair() + width * history_bytes,
+          .bytes_per_pair = parts_->forces.bytes_per_pair() + width * sizeof(double),
           .history_width = width,
           .crossing_share = parts_->contacts.crossing_share()};
 }

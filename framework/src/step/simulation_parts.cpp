@@ -88,7 +88,7 @@ Contacts make_contacts(const SimulationParts& parts) {
     for (const bool planes : {false, true})
       if (!planes || !parts.boundaries.planes().empty())
         kinds.push_back({k, planes, parts.laws[k].interface.history_width});
-  return Contacts(kinds, parts.scene.precision, BodyTiles(parts.particles.size()));
+  return Contacts(kinds, BodyTiles(parts.particles.size()));
 }
 
 }  // namespace
@@ -118,8 +118,7 @@ SimulationParts::SimulationParts(const Scene& given)
               .spin = particles.has_spin(),
               .periodic = boundaries.domain().any_periodic(),
               .audit = scene.audit,
-              .pair_forces = scene.pair_forces,
-              .precision = scene.precision}),
+              .pair_forces = scene.pair_forces}),
       integrator(make_integrator(scene.integration)),
       threads(std::make_unique<ThreadPool>(threads_of(scene))),
       smallest_radius(smallest_radius_of(scene)),
@@ -240,7 +239,8 @@ void SimulationParts::come_to_rest(const RestingPacking& packing) {
       throw Error(
           fmt::format("bodies {} and {} do not touch where they are at rest; list only pairs that touch",
                       contact.a, contact.b));
-    for (std::uint32_t k = 0; k < group->history_width; ++k) group->history.set(k, row, contact.numbers[k]);
+    for (std::uint32_t k = 0; k < group->history_width; ++k)
+      group->history.column(k)[row] = contact.numbers[k];
   }
 }
 
@@ -262,8 +262,6 @@ void SimulationParts::configure_laws() {
           fmt::format("contact law '{}' now reads orientations, but the scene does not carry them; "
                       "set the parameters that need them from the start",
                       law.name));
-    if (scene.precision == Precision::mixed && !instance.evaluate_single)
-      throw Error(fmt::format("contact law '{}' does not support mixed precision; use double", law.name));
     laws.push_back({.interface = instance,
                     .storage = configured_laws.back().storage(),
                     .touching = OnsetWeights::of_power(instance.onset_power),

@@ -8,7 +8,6 @@
 #include <scree/probes.hpp>
 #include <scree/scenario/quantities.hpp>
 #include <scree/scene_checks.hpp>
-#include <scree/single_precision.hpp>
 
 // What the parts of a plan need of its scene.
 
@@ -36,14 +35,6 @@ bool any_law(const Plan& plan, bool (*needs)(const Parameters& law, int dimensio
 }
 
 }  // namespace
-
-void check_precision(const document::Table& root, const Scene& scene) {
-  if (scene.precision != Precision::mixed) return;
-  if (const auto problem = single_precision_problem(scene))
-    throw root.table("time").error(
-        "precision", *problem,
-        "use precision = \"double\", or check the units of radius, density and stiffness");
-}
 
 bool needs_spin(const Plan& plan) { return any_law(plan, &exerts_torque); }
 

@@ -112,6 +112,14 @@ Integration read_integration(const document::Table& time) {
       ->integration;
 }
 
+// A key of earlier versions, which their scenarios and states have.
+void check_precision(const document::Table& time) {
+  if (!time.has("precision") || time.string("precision") == "double") return;
+  throw time.error("precision", "all numbers are double; mixed precision has been removed",
+                   "remove it; a run that began with it goes on as a new one from its state "
+                   "(particles.state)");
+}
+
 void read_time(const document::Table& root, Plan& plan) {
   const document::Table t = root.table("time");
   Scene& scene = plan.scene;
@@ -125,7 +133,7 @@ void read_time(const document::Table& root, Plan& plan) {
   scene.expected_speed = read_optional(t, time_keys.expected_speed).value_or(0);
   scene.audit = read(t, time_keys.energy_audit);
   scene.integration = read_integration(t);
-  scene.precision = read(t, time_keys.precision) == "mixed" ? Precision::mixed : Precision::double_precision;
+  check_precision(t);
   if (!step) return;
   const double fraction = read(*step, step_keys.fraction);
   const double contact = shortest_contact_time(scene, expected_speed(scene));
@@ -176,7 +184,6 @@ Plan read(const document::Document& document, const std::filesystem::path& path,
   for (const PackingBox& box : boxes) warn_of_box(box, plan);
   read_body_forces(root, host, plan.scene, instances);
   read_time(root, plan);
-  check_precision(root, plan.scene);
   plan.stages = read_stages(root, plan.scene, instances, studies, plan.warnings);
   for (const std::string& line : undersampled_drives(plan.scene, plan.stages))
     plan.warnings.push_back(fmt::format("{}: {}", plan.source.string(), line));

@@ -268,8 +268,6 @@ CheckpointPlan read_checkpoint(const document::Table& root, double step);
 void read_expectations(const document::Table& root, const StudyTables* studies, Plan& plan);
 
 // plan_checks.cpp
-// Throws Error if magnitudes of the scene are outside the range of mixed precision, when that is asked for.
-void check_precision(const document::Table& root, const Scene& scene);
 // Whether a law of the scene or of a stage makes bodies rotate, so that spins exist from the start.
 bool needs_spin(const Plan& plan);
 // Notes whether probes, snapshots and laws need orientations and the forces of single contacts.

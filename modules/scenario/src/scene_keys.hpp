@@ -23,8 +23,6 @@ struct TimeKeys : TableKeys {
   Key duration = other("duration", "number", Range::positive("s"),
                        "required without [[stage]], not allowed with it", "of the run");
   ChoiceKey integrator = choice_or_first("integrator", integrator_names(), "scheme; see scree accuracy");
-  ChoiceKey precision =
-      choice_or_first("precision", {"double", "mixed"}, "mixed evaluates contacts in float");
   NumberKey expected_speed =
       number("expected_speed", Range::positive("m/s"), "speed of impacts at which the step is judged",
              "default twice the fastest body's at the start, at least 1 m/s");

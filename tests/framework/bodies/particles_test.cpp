@@ -197,16 +197,6 @@ TEST_CASE("a wall is pressed onto a fixed bead with the dashpot of the mass of t
   CHECK(s.energy_residual() < 1e-3);
 }
 
-TEST_CASE("a rebound from a fixed body has the same restitution in mixed precision") {
-  Scene scene = scree::test::scene(3, 1e-4, {fixed(bead(0, {})), bead(1, {{0, 2.001, 0}}, {{0, -3, 0}})},
-                                   {{"normal_stiffness", {bead_stiffness}}, {"restitution", {0.6}}});
-  scene.precision = scree::Precision::mixed;
-  Simulation s(scene);
-  scree::test::run(s, 500);
-  // Round-off of floats in the dashpot.
-  CHECK(scree::test::velocity(s, 1)[1] == Approx(0.6 * 3).epsilon(1e-4));
-}
-
 TEST_CASE("a fixed body with a velocity keeps it, and pushes what it meets at the work of its force") {
   const double damping = 100;
   Scene scene =

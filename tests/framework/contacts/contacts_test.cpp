@@ -85,7 +85,7 @@ void each_pair(Contacts& contacts, const Visit& visit) {
 void mark_all(Contacts& contacts) {
   each_pair(contacts, [](const Key& key, PairGroup& group, std::size_t p) {
     for (std::uint32_t k = 0; k < group.history_width; ++k)
-      group.history.column<double>(k)[p - group.begin] = mark(key, k);
+      group.history.column(k)[p - group.begin] = mark(key, k);
   });
 }
 
@@ -157,12 +157,12 @@ TEST_CASE("pairs that remain keep their history, new ones and padding start at z
       const bool was = before.count(key);
       ++(was ? carried : fresh);
       for (std::uint32_t k = 0; k < group.history_width; ++k)
-        REQUIRE(group.history.column<double>(k)[p - group.begin] == (was ? mark(key, k) : 0));
+        REQUIRE(group.history.column(k)[p - group.begin] == (was ? mark(key, k) : 0));
     });
     for (PairGroup& group : contacts.groups())
       for (std::uint32_t k = 0; k < group.history_width; ++k)
         for (std::size_t i = group.end - group.begin; i < group.padded_size(); ++i)
-          REQUIRE(group.history.column<double>(k)[i] == 0);
+          REQUIRE(group.history.column(k)[i] == 0);
   }
   CHECK(carried > 1000);
   CHECK(fresh > 1000);
@@ -182,8 +182,7 @@ TEST_CASE("when a law changes its history width, the common columns are kept") {
     least = std::min(least, columns);
     each_pair(contacts, [&](const Key& key, PairGroup& group, std::size_t p) {
       for (std::uint32_t k = 0; k < group.history_width; ++k)
-        REQUIRE(group.history.column<double>(k)[p - group.begin] ==
-                (group.law == 1 || k < least ? mark(key, k) : 0));
+        REQUIRE(group.history.column(k)[p - group.begin] == (group.law == 1 || k < least ? mark(key, k) : 0));
     });
   }
 }
@@ -209,7 +208,7 @@ TEST_CASE(
     return pairs;
   };
   const auto key_of = [](std::uint32_t a, std::uint32_t b) { return double(a) * bodies + b; };
-  Contacts contacts({{0, false, 1}}, scree::Precision::double_precision, tiles);
+  Contacts contacts({{0, false, 1}}, tiles);
   const scree::BodyOrder order = scree::BodyOrder().moved(numbers);
   const std::vector<NeighbourPair> pairs = pairs_of(0.5);
   contacts.rebuild(pairs, {}, lookup, order);
@@ -228,7 +227,7 @@ TEST_CASE(
       REQUIRE(order.number(a) < order.number(b));
       const std::uint8_t image = contacts.image[q];
       REQUIRE((a < b ? image : 26 - image) == int((a + b) % 27));
-      group.history.set(0, q - group.begin, key_of(order.number(a), order.number(b)));
+      group.history.column(0)[q - group.begin] = key_of(order.number(a), order.number(b));
       across += q >= run.crossing;
     }
   }

@@ -16,10 +16,9 @@ constexpr double onset_step = 1e-4;
 
 // Pairs that close at 1 m/s (or open, at −1), with overlaps of `depths` times the travel per step, and slide
 // at 1 m/s, with forces that begin and end as t to these powers and act for `kick` (s).
-std::unique_ptr<BlockColumns<double>> pairs(const std::vector<double>& depths, double closing,
-                                            double touching = 0, double parting = 0,
-                                            double kick = onset_step) {
-  auto w = std::make_unique<BlockColumns<double>>();
+std::unique_ptr<BlockColumns> pairs(const std::vector<double>& depths, double closing, double touching = 0,
+                                    double parting = 0, double kick = onset_step) {
+  auto w = std::make_unique<BlockColumns>();
   const std::vector<double> radius_sums(block_size, 1.0);
   for (std::uint32_t i = 0; i < block_size; ++i) {
     for (int k = 0; k < 3; ++k)
@@ -40,7 +39,7 @@ std::unique_ptr<BlockColumns<double>> pairs(const std::vector<double>& depths, d
 
 // Fraction of the step during which a pair slid; sliding rotates the normal, by half a displacement, which
 // reduces it by 2.5e-9.
-double touched(const BlockColumns<double>& w, std::uint32_t pair) {
+double touched(const BlockColumns& w, std::uint32_t pair) {
   return w.input[SCREE_TANGENTIAL_INCREMENT + 1][pair] / onset_step;
 }
 

@@ -125,31 +125,6 @@ TEST_CASE("free flight is exact and the energy balance of an elastic bounce clos
   }
 }
 
-TEST_CASE("mixed precision differs from double by float rounding, and so does its energy balance") {
-  // Oblique collision of two spheres with friction; every force is rounded to 6e-8 relative.
-  const auto end = [](scree::Precision precision) {
-    std::vector<Body> bodies = {scree::test::body(1, 0.01, 0.01, {{0, 0, 0}}, {{0, 0, 0}}),
-                                scree::test::body(2, 0.01, 0.01, {{0.021, 0.004, 0}}, {{-1, 0, 0}})};
-    Scene scene = scree::test::scene(
-        3, 2e-6, bodies,
-        {{"youngs_modulus", {1e8}}, {"poissons_ratio", {0.25}}, {"restitution", {0.8}}, {"friction", {0.3}}},
-        "hertz_mindlin");
-    scene.precision = precision;
-    auto s = std::make_unique<Simulation>(scene);
-    scree::test::run(*s, 2000);
-    return s;
-  };
-  const auto full = end(scree::Precision::double_precision), mixed = end(scree::Precision::mixed);
-  const Vec3 v = scree::test::velocity(*full, 0), w = scree::test::velocity(*mixed, 0);
-  REQUIRE(norm(v) > 0.1);
-  CHECK(v != w);
-  // About 100 steps of contact, whose roundings add up in the worst case; slip begins and ends a rounding
-  // earlier.
-  CHECK(norm(v - w) <= 100 * 6e-8 * norm(v) * 4);
-  CHECK(mixed->footprint().bytes_per_pair < full->footprint().bytes_per_pair);
-  CHECK(std::abs(mixed->energy_residual() - full->energy_residual()) < 1e-5);
-}
-
 TEST_CASE("walls that a stage starts or stops have the right position with every integrator") {
   // Only a plane whose program is changed twice: 0.05 m in 0.1 s, then held.
   for (const scree::IntegrationTraits& traits : scree::integrations()) {

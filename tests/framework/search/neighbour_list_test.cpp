@@ -123,7 +123,7 @@ const double* history_of(const Simulation& s, std::uint32_t a, std::uint32_t b, 
   for (const scree::PairGroup& group : s.contacts().groups())
     for (std::size_t p = group.begin; p < group.end && group.planes == planes; ++p)
       if (s.contacts().a[p] == a && s.contacts().b[p] == b)
-        return group.history.column<double>(column) + (p - group.begin);
+        return group.history.column(column) + (p - group.begin);
   return nullptr;
 }
 

@@ -11,7 +11,6 @@
 
 using scree::Body;
 using scree::Integration;
-using scree::Precision;
 using scree::Scene;
 using scree::Simulation;
 using scree::State;
@@ -44,12 +43,9 @@ TEST_CASE("a simulation goes on from its state to the same bits", "[threads]") {
   const bool periodic = GENERATE(false, true);
   const auto integration = GENERATE(Integration::velocity_verlet, Integration::position_verlet,
                                     Integration::fourth_order, Integration::predictor_corrector);
-  const auto precision = GENERATE(Precision::double_precision, Precision::mixed);
   Scene scene = heap(dimension, periodic);
   scene.integration = integration;
-  scene.precision = precision;
-  INFO(dimension << "D, periodic: " << periodic << ", integrator " << int(integration) << ", precision "
-                 << int(precision));
+  INFO(dimension << "D, periodic: " << periodic << ", integrator " << int(integration));
   Simulation whole(scene);
   scree::test::run(whole, steps_of_heap);
   REQUIRE(whole.contact_list().size() > 100);
@@ -143,11 +139,9 @@ TEST_CASE("forces of pairs are in the state only if the scene keeps them") {
 }
 
 TEST_CASE("a scene without pairs has a state") {
-  const auto precision = GENERATE(Precision::double_precision, Precision::mixed);
   Scene scene = heap(2, true);
   scene.bodies.resize(1);
   scene.pair_forces = true;
-  scene.precision = precision;
   Simulation whole(scene);
   const State stopped = whole.state();
   scree::test::run(whole, 10);

@@ -180,7 +180,7 @@ TEST_CASE("the last bit of any state changes the hash") {
       for (std::size_t i = 0; i < vectors[k].size(); i += 37) check(vectors[k][i]);
   for (scree::PairGroup& group : contacts.groups())
     for (std::size_t i = 0; i < group.end - group.begin; i += 29)
-      for (std::uint32_t k = 0; k < group.history_width; ++k) check(group.history.column<double>(k)[i]);
+      for (std::uint32_t k = 0; k < group.history_width; ++k) check(group.history.column(k)[i]);
   for (scree_plane& plane : planes)
     for (int k = 0; k < 3; ++k) check(plane.point[k]), check(plane.velocity[k]);
   REQUIRE(s.state_hash() == hash);
@@ -196,7 +196,7 @@ TEST_CASE("the hash distinguishes which spring of a contact is stretched") {
   auto& contacts = const_cast<scree::Contacts&>(s.contacts());
   for (scree::PairGroup& group : contacts.groups())
     for (std::size_t i = 0; i < group.end - group.begin; ++i) {
-      double &x = group.history.column<double>(0)[i], &y = group.history.column<double>(1)[i];
+      double &x = group.history.column(0)[i], &y = group.history.column(1)[i];
       if (x == 0) continue;
       x = 1, y = 0;
       const std::uint64_t along_x = s.state_hash();

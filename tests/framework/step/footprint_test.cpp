@@ -122,5 +122,5 @@ TEST_CASE("records, loads and histories begin on a cache line") {
   CHECK(aligned(s.particles().records()));
   CHECK(aligned(s.particles().loads()));
   for (const scree::PairGroup& group : s.contacts().groups())
-    for (std::uint32_t k = 0; k < group.history_width; ++k) CHECK(aligned(group.history.column<double>(k)));
+    for (std::uint32_t k = 0; k < group.history_width; ++k) CHECK(aligned(group.history.column(k)));
 }

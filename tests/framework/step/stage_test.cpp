@@ -212,13 +212,13 @@ TEST_CASE("springs are kept when a stage changes other parameters of their law")
   const auto stretched = [&] {
     const scree::PairGroup& group = s.contacts().groups()[1];
     REQUIRE((group.planes && group.end > group.begin));
-    return group.history.column<double>(0)[0];
+    return group.history.column(0)[0];
   };
   Simulation uninterrupted(disc(0.5, 1));
   scree::test::run(uninterrupted, 20);
   runner.step();
   REQUIRE(runner.current() == 1);
-  CHECK(stretched() == uninterrupted.contacts().groups()[1].history.column<double>(0)[0]);
+  CHECK(stretched() == uninterrupted.contacts().groups()[1].history.column(0)[0]);
   CHECK(stretched() != 0);
 }
 

@@ -6,14 +6,12 @@ using namespace scree;
 using namespace scree::scenario;
 using namespace scree::test;
 
-TEST_CASE("mixed precision is refused where magnitudes leave its range", "[scenario]") {
-  const std::vector<std::string> mixed = {"time.precision='mixed'"};
-  CHECK(refusal(discs, mixed) == "no error");
-  // Discs of 1e-31 m.
-  CHECK_THAT(
-      refusal(discs, {"time.precision='mixed'", "particles.radius=1e-31", "particles.lattice.gap=1e-31"}),
-      Catch::StartsWith("--set time.precision='mixed': at 1 m/s, a mass of some ") &&
-          Catch::Contains("the range of single precision; use precision = \"double\", or check "));
+TEST_CASE("of the key precision of earlier versions, double is accepted and mixed refused", "[scenario]") {
+  CHECK(refusal(discs, {"time.precision=double"}) == "no error");
+  CHECK(
+      refusal(discs, {"time.precision=mixed"}) ==
+      "--set time.precision=mixed: all numbers are double; mixed precision has been removed; remove it; a run "
+      "that began with it goes on as a new one from its state (particles.state)");
 }
 
 TEST_CASE("a probe of energies is refused without the balance of energy", "[scenario]") {

@@ -226,7 +226,7 @@ TEST_CASE("rotating a touching pair as a whole does not change the tangential sp
       100);  // 0.005 rad; straight flight opens the pair only by (0.005)²/2 of the distance, 1.3e-7 m of 1e-4
   const PairGroup& group = s.contacts().groups()[0];
   double spring = 0;
-  for (std::uint32_t k = 0; k < 3; ++k) spring += std::pow(group.history.column<double>(k)[0], 2);
+  for (std::uint32_t k = 0; k < 3; ++k) spring += std::pow(group.history.column(k)[0], 2);
   // The bodies move on straight lines, so the tangential motion differs from the rotation's by
   // d (θ − atan θ) = d θ³/3 = 4e-10 m; the arms, R − δ/2 for the present δ, follow the opening to
   // higher order.

@@ -24,7 +24,7 @@ std::map<std::string, int> disassemble(const std::string& library, const std::st
       symbol = line.find("evaluate_batch") != std::string::npos ? line : "";
     if (symbol.empty() || line.find(vector_register) == std::string::npos) continue;
     const auto holds = [&](const char* instruction) { return line.find(instruction) != std::string::npos; };
-    if (holds("mulpd") || holds("mulps")) ++all[symbol];
+    if (holds("mulpd")) ++all[symbol];
   }
   return all;
 }
@@ -34,13 +34,13 @@ std::map<std::string, int> disassemble(const std::string& library, const std::st
 // Not the baseline of x86-64: without the instruction a fused multiply-add is a function call.
 TEST_CASE("every batch loop of every contact law is vectorised at every level", "[vectorisation]") {
   const std::string folder = SCREE_TEST_PLUGINS "/contact/";
-  // Kernels × dimensions × with and without audit × double and single precision.
-  for (const auto& [law, loops] : {std::pair<std::string, std::size_t>{"linear_spring_dashpot", 24 * 2 * 4},
-                                   {"hertz_mindlin", 8 * 2 * 4},
-                                   {"disc_cundall_strack", 4 * 4},
-                                   {"disc_corrected", 4 * 4},
-                                   {"disc_angular", 4 * 4},
-                                   {"sphere_path_independent", 8 * 4}})
+  // Kernels × dimensions × with and without audit.
+  for (const auto& [law, loops] : {std::pair<std::string, std::size_t>{"linear_spring_dashpot", 24 * 2 * 2},
+                                   {"hertz_mindlin", 8 * 2 * 2},
+                                   {"disc_cundall_strack", 4 * 2},
+                                   {"disc_corrected", 4 * 2},
+                                   {"disc_angular", 4 * 2},
+                                   {"sphere_path_independent", 8 * 2}})
     for (const auto& [level, vector_register] :
          {std::pair<std::string, std::string>{"x86-64-v3/", "%ymm"}, {"x86-64-v4/", "%zmm"}}) {
       const auto functions = disassemble(folder + level + law + ".so", vector_register);

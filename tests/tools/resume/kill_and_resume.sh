@@ -9,7 +9,7 @@ trap 'rm -rf "$folder"' EXIT
 cd "$folder"
 RANDOM=$seed
 
-# Scenes, with options of the run: every integrator, mixed precision, two threads, periodic axes.
+# Scenes, with options of the run: every integrator, two threads, periodic axes.
 cases=(
   "box --threads 2"
   "box --set time.integrator=position_verlet"
@@ -17,7 +17,6 @@ cases=(
   "box --set time.integrator=predictor_corrector --set time.step=1e-5"
   "box --set time.integrator=fourth_order"
   "periodic --threads 2"
-  "box --set time.precision=mixed --threads 2"
 )
 
 # The results of a run: all its files but states, the list of files, and what run.json and report.html say of times and

@@ -15,8 +15,8 @@ std::vector<std::string> integrator_names() {
 }  // namespace
 
 Verb add_accuracy_options(CommandLine& line, AccuracyArguments& a) {
-  Verb verb = line.verb(
-      "accuracy", "Compare run time and error of a scenario for several steps, integrators and precisions");
+  Verb verb =
+      line.verb("accuracy", "Compare run time and error of a scenario for several steps and integrators");
   verb.option("scenario", a.scenario, "Scenario file (TOML); compares the quantities of its [[expect]]s")
       .required();
   verb.option("--out", a.out, "Directory of the study; default runs/<scenario>-accuracy").shown_as("DIR");

@@ -92,7 +92,5 @@ struct NoHistory {};
 // Lower bound for divisors that may vanish; its reciprocal is finite.
 template <class T>
 inline constexpr T smallest_divisor = T(1e-300);
-template <>
-inline constexpr float smallest_divisor<float> = 1e-36f;
 
 }  // namespace scree

@@ -35,10 +35,10 @@ namespace detail {
 template <class Kernel, int D>
 constexpr void check_history() {
   using History = typename Kernel::template History<D, double>;
-  using SingleHistory = typename Kernel::template History<D, float>;
+  using DualHistory = typename Kernel::template History<D, Dual>;
   constexpr std::uint32_t width = history_width<Kernel, D>;
   static_assert(std::is_trivially_copyable_v<History> && std::is_standard_layout_v<History> &&
-                    (std::is_empty_v<History> || sizeof(History) == 2 * sizeof(SingleHistory)),
+                    (std::is_empty_v<History> || sizeof(DualHistory) == 2 * sizeof(History)),
                 "a History<D, T> has only members of type T and Vec<N, T>");
   static_assert(width <= SCREE_MAX_HISTORY, "a history has at most SCREE_MAX_HISTORY numbers");
   if constexpr (requires { History::names; })
@@ -81,8 +81,7 @@ scree_contact_instance describe_kernel(const Parameters& parameters) {
   instance.onset_power = parameters.onset_power();
   instance.parting_power = parameters.parting_power();
   if constexpr (requires { History::names; }) instance.history_names = History::names.data();
-  instance.evaluate = &evaluate_contacts<Parameters, Kernel, D, double>;
-  instance.evaluate_single = &evaluate_contacts<Parameters, Kernel, D, float>;
+  instance.evaluate = &evaluate_contacts<Parameters, Kernel, D>;
   instance.differentiate = &differentiate_contacts<Parameters, Kernel, D>;
   return instance;
 }

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include <scree/plugin/contact.hpp>
-#include <scree/plugin/contact_batch.hpp>
 
 // The vectorised loop that applies a law's `force` to a batch of pairs.
 
@@ -62,54 +61,56 @@ inline void each_component(History& history, Visit visit) {
 }
 
 // Energy released when a contact opens with stretched springs (J).
-template <class T, class Kernel, class History>
-inline T released_energy(const Kernel& kernel, const History& history) {
+template <class Kernel, class History>
+inline double released_energy(const Kernel& kernel, const History& history) {
   if constexpr (requires { kernel.stored_energy(history); })
     return kernel.stored_energy(history);
   else
-    return T(0);
+    return 0;
 }
 
 // Keeps values where a condition holds and sets them to 0 elsewhere. Uses bit masks, because compilers turn
 // selections into branches and second stores.
-template <class T>
 class KeepIf {
  public:
   explicit KeepIf(bool condition)
-      : mask_(std::bit_cast<Bits>(condition ? std::bit_cast<T>(Bits(~Bits(0))) : T(0))) {}
-  T operator()(const T& value) const { return std::bit_cast<T>(std::bit_cast<Bits>(value) & mask_); }
+      : mask_(std::bit_cast<std::uint64_t>(condition ? std::bit_cast<double>(~std::uint64_t(0)) : 0.0)) {}
+  double operator()(double value) const {
+    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(value) & mask_);
+  }
 
  private:
-  using Bits = std::conditional_t<sizeof(T) == sizeof(double), std::uint64_t, std::uint32_t>;
-  Bits mask_;
+  std::uint64_t mask_;
 };
 
 // Flattened, because the loop vectorises only when the author's functions are inlined completely; not inlined
 // itself, so that a test can find it in the machine code.
-template <class Parameters, class Kernel, int D, bool audit, class T>
+template <class Parameters, class Kernel, int D, bool audit>
 [[gnu::flatten, gnu::noinline]] void evaluate_batch(const Parameters& parameters,
-                                                    const ContactBatch<T>& shared) {
-  using History = typename Kernel::template History<D, T>;
+                                                    const scree_contact_batch& shared) {
+  using History = typename Kernel::template History<D, double>;
   constexpr std::uint32_t width = history_width<Kernel, D>;
   // Local copies: the compiler need not assume that writing a column changes them.
   const Kernel kernel{parameters};
-  const ContactBatch<T> batch = shared;
+  const scree_contact_batch batch = shared;
   const std::uint32_t count = batch.count & ~(SCREE_LANES - 1);
-  const T step = T(batch.step), kick = T(batch.kick);
+  const double step = batch.step, kick = batch.kick;
 #pragma GCC ivdep
   for (std::uint32_t i = 0; i < count; ++i) {
     const auto contact =
         load_contact<Kernel, D>([&](std::uint32_t k) { return batch.input[k][i]; }, step, kick);
     History history{};
-    each_component<width, T>(history, [&](std::uint32_t k, T& value) { value = batch.history[k][i]; });
-    const T released = audit ? released_energy<T>(kernel, history) : T(0);
+    each_component<width, double>(history,
+                                  [&](std::uint32_t k, double& value) { value = batch.history[k][i]; });
+    const double released = audit ? released_energy(kernel, history) : 0;
 
-    LawOutput<D, T, Kernel::writes_couple> out{};
+    LawOutput<D, double, Kernel::writes_couple> out{};
     kernel.force(contact, history, out);
 
-    const bool touching = contact.overlap > T(0);
-    const KeepIf<T> keep(touching);
-    each_component<width, T>(history, [&](std::uint32_t k, T& value) { batch.history[k][i] = keep(value); });
+    const bool touching = contact.overlap > 0;
+    const KeepIf keep(touching);
+    each_component<width, double>(history,
+                                  [&](std::uint32_t k, double& value) { batch.history[k][i] = keep(value); });
     for (int k = 0; k < D; ++k) batch.output[SCREE_FORCE + k][i] = keep(out.force[k]);
     if constexpr (Kernel::writes_couple)
       for (int k = 0; k < spin_components<D>; ++k) batch.output[SCREE_COUPLE + k][i] = keep(out.couple[k]);
@@ -125,13 +126,13 @@ template <class Parameters, class Kernel, int D, bool audit, class T>
   }
 }
 
-template <class Parameters, class Kernel, int D, class T>
-void evaluate_contacts(const void* storage, const ContactBatch<T>* batch) {
+template <class Parameters, class Kernel, int D>
+void evaluate_contacts(const void* storage, const scree_contact_batch* batch) {
   const Parameters& parameters = *static_cast<const Parameters*>(storage);
   if (batch->output[SCREE_ELASTIC_NORMAL])
-    evaluate_batch<Parameters, Kernel, D, true, T>(parameters, *batch);
+    evaluate_batch<Parameters, Kernel, D, true>(parameters, *batch);
   else
-    evaluate_batch<Parameters, Kernel, D, false, T>(parameters, *batch);
+    evaluate_batch<Parameters, Kernel, D, false>(parameters, *batch);
 }
 
 }  // namespace scree::detail

@@ -75,7 +75,7 @@ inline Dual pow(const Dual& x, double p) {
   return detail::chain(x, std::pow(x.value, p), p * std::pow(x.value, p - 1));
 }
 
-// As the templates in roots.hpp. At 0, where these are finite bounds of an infinite limit, the derivative
+// As in roots.hpp. At 0, where these are finite bounds of an infinite limit, the derivative
 // is 0.
 inline Dual inverse_sqrt(const Dual& x) {
   const double y = inverse_sqrt(x.value);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <type_traits>
 
 #include <scree/plugin/contact.hpp>
 
@@ -52,18 +51,15 @@ inline Slip<D, T> slide_or_stick(const SlipStep<D, T>& in) {
   const T sliding_longest = in.sliding_limit * in.inverse_stiffness;  // L
   const T longest_square = sliding_longest * sliding_longest;
 
-  // In single precision the square of 4 L² p would underflow.
-  T scale = T(1);
-  if constexpr (std::is_same_v<T, float>) scale = T(1) / std::max(square, smallest_divisor<T>);
-  const T kept = slides ? T(4) * scale * longest_square : T(1);
-  const T turned = slides ? scale * in.step * (square - longest_square) : T(0);
+  const T kept = slides ? T(4) * longest_square : T(1);
+  const T turned = slides ? in.step * (square - longest_square) : T(0);
   const Vec<D, T> direction = fused(turned, in.stretching, kept * in.trial_spring);
   const T shortening = sliding_longest * inverse_sqrt(dot(direction, direction));
   const T share = slides ? shortening : T(1), whole = in.stiffness * share;
   if constexpr (!damped) return {share * direction, -whole * direction, slides};
 
   const T limit = slides ? in.sliding_limit : in.limit;
-  const T length = slides ? T(2) * scale * (square + longest_square) : T(1);  // |direction|/L
+  const T length = slides ? T(2) * (square + longest_square) : T(1);  // |direction|/L
   const Vec<D, T> along = fused(in.delay * length, in.velocity, direction);
   const T along_square = dot(along, along), limiting = limit * inverse_sqrt(along_square);
   const bool limited = whole * whole * along_square > limit * limit;

@@ -9,18 +9,14 @@
 namespace scree {
 
 // arcsin x for |x| <= sin(π/8), to one unit in the last place: the Chebyshev approximation of (arcsin x −
-// x)/x³ in x² (relative error of the result 2e-17; in single precision 2e-8).
+// x)/x³ in x² (relative error of the result 2e-17).
 template <class T>
 inline T small_arcsine(const T& x) {
   const T square = x * x;
-  T rest;
-  if constexpr (detail::is_single<T>)
-    rest = detail::polynomial(square, 0.1666665645, 0.07502223831, 0.0438983436, 0.03812318259);
-  else
-    rest = detail::polynomial(square, 0.16666666666666654, 0.075000000000171006, 0.044642857104453644,
-                              0.030381947779903184, 0.022372012509623364, 0.017356446193822464,
-                              0.013908959824591178, 0.012070300491340377, 0.0069245691267002918,
-                              0.016468645712014277);
+  const T rest = detail::polynomial(square, 0.16666666666666654, 0.075000000000171006, 0.044642857104453644,
+                                    0.030381947779903184, 0.022372012509623364, 0.017356446193822464,
+                                    0.013908959824591178, 0.012070300491340377, 0.0069245691267002918,
+                                    0.016468645712014277);
   return fused(x * square, rest, x);
 }
 

@@ -4,7 +4,7 @@
 
 namespace scree {
 
-// Vector of D components. T is double, float or a dual number. All operations are branch-free.
+// Vector of D components. T is double or a dual number. All operations are branch-free.
 template <int D, class T = double>
 struct Vec {
   T component[D];

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include <scree/plugin/contact_batch.hpp>
+#include <scree/plugin/abi.h>
 
 namespace scree::kernel {
 
@@ -31,24 +31,22 @@ struct EvaluationInput {
   double max_overlap_ratio;  // largest in earlier evaluations
 };
 
-// Columns of a block of pairs between gather and scatter. T is the precision of the laws, double or float;
-// separations are always double, since overlaps are small differences of them.
-template <class T>
+// Columns of a block of pairs between gather and scatter.
 struct alignas(64) BlockColumns {
-  double separation[3][block_size];  // x_a − x_b (m); for a plane x_a − point
-  T radius_difference[block_size];   // R_a − R_b (m)
-  T distance[block_size];
-  T velocity[3][block_size], mid_velocity[3][block_size];  // a − b (m/s)
-  T spin[2][3][block_size], mid_spin[2][3][block_size];    // of a, of b (rad/s)
-  T input[SCREE_REDUCED_MASS][block_size];                 // of the law, as in scree_contact_input
-  T ones[block_size];                                      // onset weights of blocks that need none
-  T output[SCREE_CONTACT_OUTPUT_COUNT][block_size];        // stored pair forces bypass this
-  T torque[2][3][block_size];                              // on a, on b (N m)
-  ContactBatch<T> batch;                                   // argument of the law
+  double separation[3][block_size];      // x_a − x_b (m); for a plane x_a − point
+  double radius_difference[block_size];  // R_a − R_b (m)
+  double distance[block_size];
+  double velocity[3][block_size], mid_velocity[3][block_size];  // a − b (m/s)
+  double spin[2][3][block_size], mid_spin[2][3][block_size];    // of a, of b (rad/s)
+  double input[SCREE_REDUCED_MASS][block_size];                 // of the law, as in scree_contact_input
+  double ones[block_size];                                      // onset weights of blocks that need none
+  double output[SCREE_CONTACT_OUTPUT_COUNT][block_size];        // stored pair forces bypass this
+  double torque[2][3][block_size];                              // on a, on b (N m)
+  scree_contact_batch batch;                                    // argument of the law
   // For laws that read them.
-  T orientation[2][4][block_size];  // of a, of b
-  T placement[3][block_size];       // separation (m)
-  T radius[2][block_size];          // of a, of b (m)
+  double orientation[2][4][block_size];  // of a, of b
+  double placement[3][block_size];       // separation (m)
+  double radius[2][block_size];          // of a, of b (m)
 };
 
 }  // namespace scree::kernel

@@ -6,16 +6,12 @@
 #include "contacts/kernel/placement.hpp"
 
 #include <cassert>
-#include <type_traits>
-
-#include <scree/plugin/contact_batch.hpp>
 
 // The phases of a block of pairs up to the forces: gather -> geometry -> law.
 
 namespace scree::kernel {
 
 // One block of a tile: the input of its phases.
-template <class T>
 struct BlockTask {
   const TileJob& tile;
   const Tiles::PairBlock& pairs;
@@ -27,28 +23,27 @@ struct BlockTask {
   const double* radius_sum;
 
   // A constant of the pairs.
-  const T* constant(scree_contact_input column) const {
-    return tile.constants->terms[column - SCREE_REDUCED_MASS].template column<T>(0) + pairs.begin;
+  const double* constant(scree_contact_input column) const {
+    return tile.constants->terms[column - SCREE_REDUCED_MASS].column(0) + pairs.begin;
   }
   // Where forces are written: the pairs' own column, or the block's if pair forces are not stored.
-  T* force(std::uint32_t k, BlockColumns<T>& block) const {
-    return tile.input->pair_forces ? tile.constants->force.template column<T>(k) + pairs.begin
+  double* force(std::uint32_t k, BlockColumns& block) const {
+    return tile.input->pair_forces ? tile.constants->force.column(k) + pairs.begin
                                    : block.output[SCREE_FORCE + k];
   }
   bool reads(scree_contact_input column) const { return law.interface.reads & (1u << column); }
   bool arms_to_contact_point() const { return law.interface.arms == SCREE_ARM_CONTACT_POINT; }
 };
 
-template <class T>
-SCREE_HOT BlockTask<T> block_task(const TileJob& job, const Tiles::PairBlock& pairs) {
+SCREE_HOT BlockTask block_task(const TileJob& job, const Tiles::PairBlock& pairs) {
   PairGroup& group = (*job.groups)[pairs.group];
   return {
       job, pairs, group, job.laws[group.law], pairs.pairs, job.constants->radius_sum.data() + pairs.begin};
 }
 
 // Calls prefetch(i) before every four pairs.
-template <int D, bool spin, bool planes, class T, class Prefetch>
-SCREE_HOT void gather(const BlockTask<T>& task, BlockColumns<T>& block, const Prefetch& prefetch) {
+template <int D, bool spin, bool planes, class Prefetch>
+SCREE_HOT void gather(const BlockTask& task, BlockColumns& block, const Prefetch& prefetch) {
   for (std::uint32_t i = 0; i < task.padded(); i += 4) {
     prefetch(i);
     gather_four<D, spin, planes>(*task.tile.input, task.pairs.begin + i, i, block);
@@ -56,8 +51,8 @@ SCREE_HOT void gather(const BlockTask<T>& task, BlockColumns<T>& block, const Pr
   if constexpr (planes) separate_padding(task.count, task.padded(), block);
 }
 
-template <int D, bool spin, bool planes, class T>
-SCREE_HOT void resolve(const BlockTask<T>& task, BlockColumns<T>& block) {
+template <int D, bool spin, bool planes>
+SCREE_HOT void resolve(const BlockTask& task, BlockColumns& block) {
   const std::uint32_t padded = task.padded();
   const bool to_contact_point = task.arms_to_contact_point();
   resolve_overlaps<D, planes>(task.radius_sum, padded, block);
@@ -79,36 +74,31 @@ SCREE_HOT void resolve(const BlockTask<T>& task, BlockColumns<T>& block) {
 }
 
 // Sets the members of the batch that are the same for all blocks of a tile.
-template <class T>
-SCREE_HOT void begin_batch(const EvaluationInput& input, BlockColumns<T>& block) {
+SCREE_HOT void begin_batch(const EvaluationInput& input, BlockColumns& block) {
   block.batch = {};
   block.batch.struct_size = sizeof(block.batch);
   block.batch.step = input.step;
   block.batch.kick = input.kick;
   for (std::uint32_t k = 0; k < SCREE_REDUCED_MASS; ++k) block.batch.input[k] = block.input[k];
-  std::fill(std::begin(block.ones), std::end(block.ones), T(1));
+  std::fill(std::begin(block.ones), std::end(block.ones), 1.0);
   const std::uint32_t outputs = input.audit ? SCREE_CONTACT_OUTPUT_COUNT : SCREE_ELASTIC_NORMAL;
   for (std::uint32_t k = 0; k < outputs; ++k) block.batch.output[k] = block.output[k];
 }
 
-template <int D, class T>
-SCREE_HOT void call_law(const BlockTask<T>& task, BlockColumns<T>& block) {
-  ContactBatch<T>& batch = block.batch;
+template <int D>
+SCREE_HOT void call_law(const BlockTask& task, BlockColumns& block) {
+  scree_contact_batch& batch = block.batch;
   batch.count = task.padded();
   for (const scree_contact_input k : {SCREE_REDUCED_MASS, SCREE_REDUCED_MASS_ROOT, SCREE_EFFECTIVE_RADIUS})
     if (task.reads(k)) batch.input[k] = task.constant(k);
   for (std::uint32_t k = 0; k < task.group.history_width; ++k)
-    batch.history[k] = task.group.history.template column<T>(k) + (task.pairs.begin - task.group.begin);
+    batch.history[k] = task.group.history.column(k) + (task.pairs.begin - task.group.begin);
   for (std::uint32_t k = 0; k < std::uint32_t(D); ++k) batch.output[SCREE_FORCE + k] = task.force(k, block);
-  if constexpr (std::is_same_v<T, float>)
-    task.law.interface.evaluate_single(task.law.storage, &batch);
-  else
-    task.law.interface.evaluate(task.law.storage, &batch);
+  task.law.interface.evaluate(task.law.storage, &batch);
 }
 
 // Preconditions of the loops over the pairs of a block.
-template <class T>
-void assert_layout([[maybe_unused]] const BlockTask<T>& task) {
+inline void assert_layout([[maybe_unused]] const BlockTask& task) {
   assert(task.pairs.count <= block_size && task.pairs.count % SCREE_LANES == 0);
   assert(task.pairs.begin >= task.group.begin && (task.pairs.begin - task.group.begin) % SCREE_LANES == 0);
   assert(task.group.history_width == task.law.interface.history_width);

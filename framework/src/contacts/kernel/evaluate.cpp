@@ -13,9 +13,9 @@ namespace {
 // In each of them the bodies of the next tile are prefetched once.
 constexpr std::size_t phases = 4;
 
-template <int D, bool spin, bool planes, class T>
-SCREE_HOT void scatter(const BlockTask<T>& task, BlockColumns<T>& block) {
-  const T* force[3] = {};
+template <int D, bool spin, bool planes>
+SCREE_HOT void scatter(const BlockTask& task, BlockColumns& block) {
+  const double* force[3] = {};
   for (std::uint32_t k = 0; k < std::uint32_t(D); ++k) force[k] = task.force(k, block);
   if constexpr (spin) {
     if (task.law.interface.writes_couple)
@@ -31,16 +31,16 @@ SCREE_HOT void scatter(const BlockTask<T>& task, BlockColumns<T>& block) {
     scatter_four<D, spin>(force, slot_a + i, slot_b + i, i, block, task.tile.slots);
 }
 
-template <int D, bool spin, bool planes, class T>
-SCREE_HOT void gather_and_prefetch(const BlockTask<T>& task, BlockColumns<T>& block) {
+template <int D, bool spin, bool planes>
+SCREE_HOT void gather_and_prefetch(const BlockTask& task, BlockColumns& block) {
   if (!task.tile.tiles->exceed_caches()) return gather<D, spin, planes>(task, block, [](std::uint32_t) {});
-  const PairsAhead<T> pairs(task);
+  const PairsAhead pairs(task);
   gather<D, spin, planes>(task, block, [&](std::uint32_t i) SCREE_INLINE_LAMBDA { pairs.prefetch(i); });
 }
 
-template <int D, bool spin, bool planes, class T>
-SCREE_HOT ContactSums evaluate_block(const BlockTask<T>& task, BlockColumns<T>& block,
-                                     BodiesAhead<D, spin>& bodies, double& largest_ratio) {
+template <int D, bool spin, bool planes>
+SCREE_HOT ContactSums evaluate_block(const BlockTask& task, BlockColumns& block, BodiesAhead<D, spin>& bodies,
+                                     double& largest_ratio) {
   assert_layout(task);
   Laps laps(task.tile.profile);
   bodies.prefetch();
@@ -62,7 +62,7 @@ SCREE_HOT ContactSums evaluate_block(const BlockTask<T>& task, BlockColumns<T>& 
   return sums;
 }
 
-template <int D, bool spin, class T>
+template <int D, bool spin>
 SCREE_HOT void evaluate_tile(const TileJob& job) {
   constexpr std::size_t width = record::load_width(D, spin);
   const Tiles::Tile& tile = job.tiles->tiles()[job.tile];
@@ -70,21 +70,21 @@ SCREE_HOT void evaluate_tile(const TileJob& job) {
       (job.tile + 1 < job.tiles->tiles().size() ? job.tiles->tiles()[job.tile + 1].first_foreign
                                                 : job.tiles->slots());
   std::fill(job.slots + width * tile.first_foreign, job.slots + width * planes_and_padding, 0.0);
-  BlockColumns<T> work;
+  BlockColumns work;
   begin_batch(*job.input, work);
   BodiesAhead<D, spin> bodies(job, phases * (tile.last_block - tile.first_block));
   double largest_ratio = job.input->max_overlap_ratio;
   for (std::size_t k = tile.first_block; k < tile.last_block; ++k) {
-    const BlockTask<T> task = block_task<T>(job, job.tiles->blocks()[k]);
+    const BlockTask task = block_task(job, job.tiles->blocks()[k]);
     job.sums[k] = task.group.planes ? evaluate_block<D, spin, true>(task, work, bodies, largest_ratio)
                                     : evaluate_block<D, spin, false>(task, work, bodies, largest_ratio);
     job.sums[k].max_overlap_ratio = largest_ratio;
   }
 }
 
-template <int D, bool spin, class T>
+template <int D, bool spin>
 SCREE_AT_KERNEL_LEVEL void tile(const TileJob& job) {
-  evaluate_tile<D, spin, T>(job);
+  evaluate_tile<D, spin>(job);
 }
 
 }  // namespace
@@ -92,7 +92,7 @@ SCREE_AT_KERNEL_LEVEL void tile(const TileJob& job) {
 template <>
 EvaluateTile tile_evaluation_at<SCREE_KERNEL_LEVEL>(const Forces::Features& features) {
   EvaluateTile evaluate = nullptr;
-  specialise(features, [&]<int D, bool spin, class T>() { evaluate = &tile<D, spin, T>; });
+  specialise(features, [&]<int D, bool spin>() { evaluate = &tile<D, spin>; });
   return evaluate;
 }
 

@@ -34,30 +34,30 @@ SCREE_HOT bool any_across(const std::uint8_t* image) {
   return images != none;
 }
 
-template <class T>
-SCREE_HOT void store_vector(T (*columns)[block_size], int count, std::uint32_t lane, const Four (&v)[4]) {
-  for (int k = 0; k < count; ++k) store_lanes(columns[k] + lane, v[k]);
+SCREE_HOT void store_vector(double (*columns)[block_size], int count, std::uint32_t lane,
+                            const Four (&v)[4]) {
+  for (int k = 0; k < count; ++k) store_four(columns[k] + lane, v[k]);
 }
 
 // Velocities and spins of four pairs of discs.
-template <bool spin, class T>
+template <bool spin>
 SCREE_HOT void gather_flat_motion(const double* const (&a)[4], const double* const (&b)[4], std::size_t part,
-                                  T (*velocity)[block_size], T (*spin_a)[block_size], T (*spin_b)[block_size],
-                                  std::uint32_t lane) {
+                                  double (*velocity)[block_size], double (*spin_a)[block_size],
+                                  double (*spin_b)[block_size], std::uint32_t lane) {
   Four of_a[4], of_b[4];
   four_parts(a, part, of_a);
   four_parts(b, part, of_b);
-  for (int k = 0; k < 2; ++k) store_lanes(velocity[k] + lane, of_a[k] - of_b[k]);
+  for (int k = 0; k < 2; ++k) store_four(velocity[k] + lane, of_a[k] - of_b[k]);
   if constexpr (spin) {
-    store_lanes(spin_a[0] + lane, of_a[2]);
-    store_lanes(spin_b[0] + lane, of_b[2]);
+    store_four(spin_a[0] + lane, of_a[2]);
+    store_four(spin_b[0] + lane, of_b[2]);
   }
 }
 
 // Velocities and spins of four pairs of spheres.
-template <bool spin, class T>
+template <bool spin>
 SCREE_HOT void gather_motion(const double* const (&a)[4], const double* const (&b)[4], std::uint32_t lane,
-                             BlockColumns<T>& block) {
+                             BlockColumns& block) {
   Four v[4];
   four_differences(a, b, record::motion, v);
   store_vector(block.velocity, 3, lane, v);
@@ -76,9 +76,9 @@ SCREE_HOT void gather_motion(const double* const (&a)[4], const double* const (&
 
 // Gathers four pairs of bodies, or of a body and a plane. A plane is treated as a body without spin and
 // radius.
-template <int D, bool spin, bool planes, class T>
+template <int D, bool spin, bool planes>
 SCREE_HOT void gather_four(const EvaluationInput& s, std::size_t pair, std::uint32_t lane,
-                           BlockColumns<T>& block) {
+                           BlockColumns& block) {
   const double *a[4], *b[4];
   for (int k = 0; k < 4; ++k) {
     a[k] = record_of<D, spin>(s.records, s.contacts.a[pair + std::size_t(k)]);
@@ -91,7 +91,7 @@ SCREE_HOT void gather_four(const EvaluationInput& s, std::size_t pair, std::uint
     for (int k = 0; k < 4; ++k) v[k] += load_four(s.shifts + 4 * image[k]);
   transpose(v[0], v[1], v[2], v[3]);
   store_vector(block.separation, D, lane, v);
-  store_lanes(block.radius_difference + lane, v[3]);
+  store_four(block.radius_difference + lane, v[3]);
   if constexpr (planes) {
     for (int k = 0; k < 4; ++k)
       v[k] = load_four(s.planes.normals() + 4 * s.contacts.b[pair + std::size_t(k)]);
@@ -109,8 +109,7 @@ SCREE_HOT void gather_four(const EvaluationInput& s, std::size_t pair, std::uint
 
 // Padding lanes [begin, end) refer to real bodies and planes: their separation is set to 0, so that they do
 // not touch.
-template <class T>
-SCREE_HOT void separate_padding(std::uint32_t begin, std::uint32_t end, BlockColumns<T>& block) {
+SCREE_HOT void separate_padding(std::uint32_t begin, std::uint32_t end, BlockColumns& block) {
   for (std::uint32_t lane = begin; lane < end; ++lane)
     for (int k = 0; k < 3; ++k) block.separation[k][lane] = 0;
 }

@@ -7,20 +7,20 @@
 
 namespace scree::kernel {
 
-template <int N, class T>
-SCREE_HOT Vec<N, T> lanes_of(const T (*columns)[block_size], std::uint32_t lane) {
-  Vec<N, T> v;
+template <int N>
+SCREE_HOT Vec<N> lanes_of(const double (*columns)[block_size], std::uint32_t lane) {
+  Vec<N> v;
   for (int k = 0; k < N; ++k) v[k] = columns[k][lane];
   return v;
 }
-template <int N, class T>
-SCREE_HOT void set_lanes(T (*columns)[block_size], std::uint32_t lane, const Vec<N, T>& v) {
+template <int N>
+SCREE_HOT void set_lanes(double (*columns)[block_size], std::uint32_t lane, const Vec<N>& v) {
   for (int k = 0; k < N; ++k) columns[k][lane] = v[k];
 }
 
 // Normal, distance and overlap. If the centres coincide, the normal is along x.
-template <int D, bool planes, class T>
-SCREE_HOT void resolve_overlaps(const double* radius_sum, std::uint32_t padded, BlockColumns<T>& block) {
+template <int D, bool planes>
+SCREE_HOT void resolve_overlaps(const double* radius_sum, std::uint32_t padded, BlockColumns& block) {
 #pragma GCC ivdep
   for (std::uint32_t i = 0; i < padded; ++i) {
     double distance = 0;
@@ -28,23 +28,23 @@ SCREE_HOT void resolve_overlaps(const double* radius_sum, std::uint32_t padded, 
     if constexpr (planes) {
       distance = distance_from_plane(separation, lanes_of<D>(block.input + SCREE_NORMAL, i));
     } else {
-      const PairDirection<D, double> direction = direction_between(separation);
+      const PairDirection<D> direction = direction_between(separation);
       distance = direction.distance;
-      for (int k = 0; k < D; ++k) block.input[SCREE_NORMAL + k][i] = T(direction.normal[k]);
+      for (int k = 0; k < D; ++k) block.input[SCREE_NORMAL + k][i] = direction.normal[k];
     }
-    block.distance[i] = T(distance);
-    block.input[SCREE_OVERLAP][i] = T(radius_sum[i] - distance);
+    block.distance[i] = distance;
+    block.input[SCREE_OVERLAP][i] = radius_sum[i] - distance;
   }
 }
 
-template <int D, class T>
-SCREE_HOT PairDirection<D, T> direction_of(const BlockColumns<T>& block, std::uint32_t i) {
+template <int D>
+SCREE_HOT PairDirection<D> direction_of(const BlockColumns& block, std::uint32_t i) {
   return {lanes_of<D>(block.input + SCREE_NORMAL, i), block.distance[i]};
 }
-template <int D, bool spin, class T>
-SCREE_HOT PairStep<D, T> motion_of(const T (*velocity)[block_size], const T (&spins)[2][3][block_size],
-                                   std::uint32_t i) {
-  PairStep<D, T> motion = {};
+template <int D, bool spin>
+SCREE_HOT PairStep<D> motion_of(const double (*velocity)[block_size], const double (&spins)[2][3][block_size],
+                                std::uint32_t i) {
+  PairStep<D> motion = {};
   motion.velocity = lanes_of<D>(velocity, i);
   if constexpr (spin) {
     motion.spin_a = lanes_of<spin_components<D>>(spins[0], i);
@@ -54,13 +54,13 @@ SCREE_HOT PairStep<D, T> motion_of(const T (*velocity)[block_size], const T (&sp
 }
 
 // Tangential displacement in the step. touched: share of the step during which the pair has touched.
-template <int D, bool spin, bool planes, class T>
-SCREE_HOT void set_increment(bool to_contact_point, const T& radius_sum, double step, const T& touched,
-                             std::uint32_t i, BlockColumns<T>& block) {
-  const PairStep<D, T> motion = motion_of<D, spin>(block.mid_velocity, block.mid_spin, i);
-  Vec<D, T> separation = {};
+template <int D, bool spin, bool planes>
+SCREE_HOT void set_increment(bool to_contact_point, double radius_sum, double step, double touched,
+                             std::uint32_t i, BlockColumns& block) {
+  const PairStep<D> motion = motion_of<D, spin>(block.mid_velocity, block.mid_spin, i);
+  Vec<D> separation = {};
   if constexpr (!planes)
-    for (int k = 0; k < D; ++k) separation[k] = T(block.separation[k][i]);
+    for (int k = 0; k < D; ++k) separation[k] = block.separation[k][i];
   const auto middle =
       mid_step_direction<planes>(direction_of<D>(block, i), separation, motion.velocity, step);
   set_lanes<D>(block.input + SCREE_TANGENTIAL_INCREMENT, i,
@@ -71,37 +71,36 @@ SCREE_HOT void set_increment(bool to_contact_point, const T& radius_sum, double 
 // Relative velocity of the contact points, relative spin and, with `increments`, tangential displacements,
 // for pairs that touch during the whole step. Returns the number of touching pairs within two steps of first
 // touch or parting.
-template <int D, bool spin, bool planes, bool increments, class T>
-SCREE_HOT Count<T> resolve_motion(bool to_contact_point, const double* radius_sum, double step, double kick,
-                                  std::uint32_t padded, BlockColumns<T>& block) {
-  const T longest = std::max(T(std::abs(step)), T(std::abs(kick)));
-  Count<T> near = 0;
+template <int D, bool spin, bool planes, bool increments>
+SCREE_HOT Count resolve_motion(bool to_contact_point, const double* radius_sum, double step, double kick,
+                               std::uint32_t padded, BlockColumns& block) {
+  const double longest = std::max(std::abs(step), std::abs(kick));
+  Count near = 0;
 #pragma GCC ivdep
   for (std::uint32_t i = 0; i < padded; ++i) {
-    const PairDirection<D, T> at = direction_of<D>(block, i);
-    const PairStep<D, T> motion = motion_of<D, spin>(block.velocity, block.spin, i);
-    const Vec<D, T> v = contact_velocity<spin, planes>(at, motion, to_contact_point, T(radius_sum[i]),
-                                                       block.radius_difference[i]);
+    const PairDirection<D> at = direction_of<D>(block, i);
+    const PairStep<D> motion = motion_of<D, spin>(block.velocity, block.spin, i);
+    const Vec<D> v = contact_velocity<spin, planes>(at, motion, to_contact_point, radius_sum[i],
+                                                    block.radius_difference[i]);
     if constexpr (spin)
       set_lanes<spin_components<D>>(block.input + SCREE_RELATIVE_SPIN, i, motion.spin_a - motion.spin_b);
     set_lanes<D>(block.input + SCREE_RELATIVE_VELOCITY, i, v);
-    const T approach = dot(v, at.normal) * longest, overlap = block.input[SCREE_OVERLAP][i];
-    near += overlap > T(0) && overlap < T(2) * std::abs(approach);
+    const double approach = dot(v, at.normal) * longest, overlap = block.input[SCREE_OVERLAP][i];
+    near += overlap > 0 && overlap < 2 * std::abs(approach);
     if constexpr (increments)
-      set_increment<D, spin, planes>(to_contact_point, T(radius_sum[i]), step, T(1), i, block);
+      set_increment<D, spin, planes>(to_contact_point, radius_sum[i], step, 1, i, block);
   }
   return near;
 }
 
 // Onset weight (see OnsetWeights) of a force s steps after first touch or before parting.
-template <class T>
-SCREE_HOT T onset_weight(const OnsetWeights& weights, const T& s) {
-  const T root = inverse_fourth_root(s);
-  T power = s;  // s^(1 − p)
-  for (int k = 0; k < 4; ++k) power *= k < weights.quarters ? root : T(1);
-  const T first = power * fused(s, fused(s, T(weights.first[2]), T(weights.first[1])), T(weights.first[0]));
-  const T second = fused(T(2) - s, T(weights.slope), T(1));
-  return s < T(1) ? first : second;
+SCREE_HOT double onset_weight(const OnsetWeights& weights, double s) {
+  const double root = inverse_fourth_root(s);
+  double power = s;  // s^(1 − p)
+  for (int k = 0; k < 4; ++k) power *= k < weights.quarters ? root : 1;
+  const double first = power * fused(s, fused(s, weights.first[2], weights.first[1]), weights.first[0]);
+  const double second = fused(2 - s, weights.slope, 1.0);
+  return s < 1 ? first : second;
 }
 
 // Corrections for pairs near first touch or parting, where w is the travel along the normal within a time:
@@ -109,34 +108,32 @@ SCREE_HOT T onset_weight(const OnsetWeights& weights, const T& s) {
 //   onset    weight of forces that begin or end abruptly, at s = δ/w < 2 kicks from first touch or parting
 // A kick, the time for which the forces act, is as long as the step, but for the first of `position_verlet`.
 // Most blocks have no such pair, and skip this.
-template <int D, bool spin, bool planes, bool increments, class T>
+template <int D, bool spin, bool planes, bool increments>
 SCREE_HOT void resolve_onsets(bool to_contact_point, const double* radius_sum, double step, double kick,
                               const OnsetWeights& touching, const OnsetWeights& parting, std::uint32_t padded,
-                              BlockColumns<T>& block) {
+                              BlockColumns& block) {
 #pragma GCC ivdep
   for (std::uint32_t i = 0; i < padded; ++i) {
-    const Vec<D, T> v = lanes_of<D>(block.input + SCREE_RELATIVE_VELOCITY, i);
-    const T closing_speed = -dot(v, lanes_of<D>(block.input + SCREE_NORMAL, i));
-    const T overlap = block.input[SCREE_OVERLAP][i], approach = closing_speed * T(step);
-    const T travel = std::abs(closing_speed * T(kick)), s = overlap_share(overlap, travel);
-    const T closing = onset_weight(touching, s), opening = onset_weight(parting, s);
-    block.input[SCREE_ONSET_WEIGHT][i] =
-        overlap < T(2) * travel ? (approach > T(0) ? closing : opening) : T(1);
-    const T touched = touched_share(overlap, approach);
+    const Vec<D> v = lanes_of<D>(block.input + SCREE_RELATIVE_VELOCITY, i);
+    const double closing_speed = -dot(v, lanes_of<D>(block.input + SCREE_NORMAL, i));
+    const double overlap = block.input[SCREE_OVERLAP][i], approach = closing_speed * step;
+    const double travel = std::abs(closing_speed * kick), s = overlap_share(overlap, travel);
+    const double closing = onset_weight(touching, s), opening = onset_weight(parting, s);
+    block.input[SCREE_ONSET_WEIGHT][i] = overlap < 2 * travel ? (approach > 0 ? closing : opening) : 1;
+    const double touched = touched_share(overlap, approach);
     if constexpr (increments)
-      set_increment<D, spin, planes>(to_contact_point, T(radius_sum[i]), step, touched, i, block);
+      set_increment<D, spin, planes>(to_contact_point, radius_sum[i], step, touched, i, block);
   }
 }
 
 // Radii a = √(R* δ) of Hertzian contacts, their reciprocals and roots.
-template <class T>
-SCREE_HOT void resolve_contact_radii(const T* effective_radius, std::uint32_t padded,
-                                     BlockColumns<T>& block) {
+SCREE_HOT void resolve_contact_radii(const double* effective_radius, std::uint32_t padded,
+                                     BlockColumns& block) {
 #pragma GCC ivdep
   for (std::uint32_t i = 0; i < padded; ++i) {
-    const T square = effective_radius[i] * std::max(block.input[SCREE_OVERLAP][i], T(0));
-    const T inverse_root = inverse_fourth_root(square), inverse = inverse_root * inverse_root;
-    const T radius = square * inverse;
+    const double square = effective_radius[i] * std::max(block.input[SCREE_OVERLAP][i], 0.0);
+    const double inverse_root = inverse_fourth_root(square), inverse = inverse_root * inverse_root;
+    const double radius = square * inverse;
     block.input[SCREE_CONTACT_RADIUS][i] = radius;
     block.input[SCREE_CONTACT_RADIUS + 1][i] = inverse;
     block.input[SCREE_CONTACT_RADIUS + 2][i] = radius * inverse_root;
@@ -144,19 +141,19 @@ SCREE_HOT void resolve_contact_radii(const T* effective_radius, std::uint32_t pa
 }
 
 // −arm n × f ± couple: torques on a and b.
-template <int D, bool planes, bool has_couple, class T>
-SCREE_HOT void resolve_torques(bool to_contact_point, const double* radius_sum, const T* const (&force)[3],
-                               std::uint32_t padded, BlockColumns<T>& block) {
+template <int D, bool planes, bool has_couple>
+SCREE_HOT void resolve_torques(bool to_contact_point, const double* radius_sum,
+                               const double* const (&force)[3], std::uint32_t padded, BlockColumns& block) {
   constexpr int S = spin_components<D>;
 #pragma GCC ivdep
   for (std::uint32_t i = 0; i < padded; ++i) {
-    Vec<D, T> f;
+    Vec<D> f;
     for (int k = 0; k < D; ++k) f[k] = force[k][i];
-    const Vec<S, T> lever = cross(lanes_of<D>(block.input + SCREE_NORMAL, i), f);
-    const auto arms = LeverArms<planes, T>::of(to_contact_point, block.distance[i], T(radius_sum[i]),
-                                               block.radius_difference[i]);
+    const Vec<S> lever = cross(lanes_of<D>(block.input + SCREE_NORMAL, i), f);
+    const auto arms =
+        LeverArms<planes>::of(to_contact_point, block.distance[i], radius_sum[i], block.radius_difference[i]);
     for (int k = 0; k < S; ++k) {
-      const T couple = has_couple ? block.output[SCREE_COUPLE + k][i] : T(0);
+      const double couple = has_couple ? block.output[SCREE_COUPLE + k][i] : 0;
       block.torque[0][k][i] = fused(-arms.a, lever[k], couple);
       block.torque[1][k][i] = fused(-arms.b, lever[k], -couple);
     }

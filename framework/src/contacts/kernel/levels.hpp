@@ -18,19 +18,13 @@
 
 namespace scree::kernel {
 
-// Calls use<D, spin, T>() for the dimension, spins and precision of a scene.
+// Calls use<D, spin>() for the dimension and spins of a scene.
 template <class Use>
 void specialise(const Forces::Features& f, const Use& use) {
-  const auto with_precision = [&]<int D, bool spin>() {
-    if (f.precision == Precision::mixed)
-      use.template operator()<D, spin, float>();
-    else
-      use.template operator()<D, spin, double>();
-  };
   if (f.dimension == 2)
-    f.spin ? with_precision.template operator()<2, true>() : with_precision.template operator()<2, false>();
+    f.spin ? use.template operator()<2, true>() : use.template operator()<2, false>();
   else
-    f.spin ? with_precision.template operator()<3, true>() : with_precision.template operator()<3, false>();
+    f.spin ? use.template operator()<3, true>() : use.template operator()<3, false>();
 }
 
 }  // namespace scree::kernel

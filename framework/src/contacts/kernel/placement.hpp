@@ -16,8 +16,8 @@ inline bool reads_placement(const scree_contact_instance& law) {
 
 // After `gather`: gathers what the law reads of orientations, separations and radii of the pairs [begin,
 // begin + count), and passes it to the law. Not inlined into the loops over blocks, which rarely need it.
-template <bool planes, class T>
+template <bool planes>
 void gather_placement(const EvaluationInput& input, const scree_contact_instance& law, std::size_t begin,
-                      std::uint32_t count, BlockColumns<T>& block);
+                      std::uint32_t count, BlockColumns& block);
 
 }  // namespace scree::kernel

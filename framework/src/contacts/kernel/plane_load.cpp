@@ -11,10 +11,9 @@ namespace {
 struct LaneSums {
   double lanes[3][SCREE_LANES] = {};
 
-  template <class T>
-  SCREE_HOT void add(int k, const T* column, std::uint32_t padded) {
+  SCREE_HOT void add(int k, const double* column, std::uint32_t padded) {
     for (std::uint32_t i = 0; i < padded; i += SCREE_LANES)
-      for (std::uint32_t lane = 0; lane < SCREE_LANES; ++lane) lanes[k][lane] += double(column[i + lane]);
+      for (std::uint32_t lane = 0; lane < SCREE_LANES; ++lane) lanes[k][lane] += column[i + lane];
   }
   SCREE_HOT double total(int k) const {
     double sum = 0;
@@ -23,9 +22,9 @@ struct LaneSums {
   }
 };
 
-template <int D, bool spin, class T>
+template <int D, bool spin>
 SCREE_HOT void evaluate_plane_load(const TileJob& job, scree_load& load) {
-  BlockColumns<T> work;
+  BlockColumns work;
   begin_batch(*job.input, work);
   LaneSums on_bodies;
   for (std::uint32_t g = 0; g < job.groups->size(); ++g) {
@@ -33,7 +32,7 @@ SCREE_HOT void evaluate_plane_load(const TileJob& job, scree_load& load) {
     for (std::size_t begin = group.begin; begin < group.end; begin += block_size) {
       const auto count = std::uint32_t(std::min<std::size_t>(block_size, group.end - begin));
       const Tiles::PairBlock pairs = {g, begin, std::uint32_t(padded_to_lanes(count)), count};
-      const BlockTask<T> task = block_task<T>(job, pairs);
+      const BlockTask task = block_task(job, pairs);
       assert_layout(task);
       gather<D, spin, true>(task, work, [](std::uint32_t) {});
       if (reads_placement(task.law.interface))
@@ -47,9 +46,9 @@ SCREE_HOT void evaluate_plane_load(const TileJob& job, scree_load& load) {
   for (int k = 0; k < D; ++k) load.force[k] = -on_bodies.total(k);
 }
 
-template <int D, bool spin, class T>
+template <int D, bool spin>
 SCREE_AT_KERNEL_LEVEL void plane_load(const TileJob& job, scree_load& load) {
-  evaluate_plane_load<D, spin, T>(job, load);
+  evaluate_plane_load<D, spin>(job, load);
 }
 
 }  // namespace
@@ -57,7 +56,7 @@ SCREE_AT_KERNEL_LEVEL void plane_load(const TileJob& job, scree_load& load) {
 template <>
 EvaluatePlaneLoad plane_load_evaluation_at<SCREE_KERNEL_LEVEL>(const Forces::Features& features) {
   EvaluatePlaneLoad evaluate = nullptr;
-  specialise(features, [&]<int D, bool spin, class T>() { evaluate = &plane_load<D, spin, T>; });
+  specialise(features, [&]<int D, bool spin>() { evaluate = &plane_load<D, spin>; });
   return evaluate;
 }
 

@@ -50,10 +50,9 @@ class BodiesAhead {
 };
 
 // What some blocks later is read of pairs: places and slots of their bodies, constants, histories.
-template <class T>
 class PairsAhead {
  public:
-  explicit PairsAhead(const BlockTask<T>& task) {
+  explicit PairsAhead(const BlockTask& task) {
     const Contacts& contacts = task.tile.input->contacts;
     const Tiles& tiles = *task.tile.tiles;
     const std::size_t first = task.pairs.begin + distance;
@@ -61,16 +60,17 @@ class PairsAhead {
                 tiles.slot_b().data() + first};
     radius_sum_ = task.radius_sum + distance;
     for (const PairColumns& term : task.tile.constants->terms)
-      if (term.size() > 0) numbers_[count_++] = term.template column<T>(0) + first;
+      if (term.size() > 0) numbers_[count_++] = term.column(0) + first;
     for (std::uint32_t k = 0; k < std::min(task.group.history_width, most_histories); ++k)
-      numbers_[count_++] = task.group.history.template column<T>(k) + (first - task.group.begin);
+      numbers_[count_++] = task.group.history.column(k) + (first - task.group.begin);
   }
 
   // i: pair of the block, a multiple of four.
   SCREE_HOT void prefetch(std::uint32_t i) const {
-    if (i % (cache_line / sizeof(double)) == 0) __builtin_prefetch(radius_sum_ + i, 0, second_level_cache);
-    if (i % (cache_line / sizeof(T)) == 0)
+    if (i % (cache_line / sizeof(double)) == 0) {
+      __builtin_prefetch(radius_sum_ + i, 0, second_level_cache);
       for (std::uint32_t k = 0; k < count_; ++k) __builtin_prefetch(numbers_[k] + i, 0, second_level_cache);
+    }
     if (i % (cache_line / sizeof(std::uint32_t)) == 4)
       for (const std::uint32_t* index : indices_) __builtin_prefetch(index + i, 0, second_level_cache);
   }
@@ -81,7 +81,7 @@ class PairsAhead {
 
   std::array<const std::uint32_t*, 4> indices_;
   const double* radius_sum_;
-  std::array<const T*, PairConstants::column_count + most_histories> numbers_;
+  std::array<const double*, PairConstants::column_count + most_histories> numbers_;
   std::uint32_t count_ = 0;
 };
 

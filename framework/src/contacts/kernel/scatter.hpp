@@ -6,17 +6,17 @@ namespace scree::kernel {
 
 // Adds forces and torques of four pairs to the slots of a, and the opposite forces to the slots of b, one
 // pair after the other, since a body may be part of several.
-template <int D, bool spin, class T>
-SCREE_HOT void scatter_four(const T* const (&force)[3], const std::uint32_t* slot_a,
-                            const std::uint32_t* slot_b, std::uint32_t lane, const BlockColumns<T>& block,
+template <int D, bool spin>
+SCREE_HOT void scatter_four(const double* const (&force)[3], const std::uint32_t* slot_a,
+                            const std::uint32_t* slot_b, std::uint32_t lane, const BlockColumns& block,
                             double* slots) {
   constexpr std::size_t width = record::load_width(D, spin);
   Four f[4] = {}, torque_a[4] = {}, torque_b[4] = {};
-  for (int k = 0; k < D; ++k) f[k] = load_lanes(force[k] + lane);
+  for (int k = 0; k < D; ++k) f[k] = load_four(force[k] + lane);
   if constexpr (spin)
     for (int k = 0; k < spin_components<D>; ++k) {
-      torque_a[k] = load_lanes(block.torque[0][k] + lane);
-      torque_b[k] = load_lanes(block.torque[1][k] + lane);
+      torque_a[k] = load_four(block.torque[0][k] + lane);
+      torque_b[k] = load_four(block.torque[1][k] + lane);
     }
   if constexpr (D == 2) {
     Four on_b[4] = {-f[0], -f[1], torque_b[0], f[3]};

@@ -10,13 +10,12 @@ struct SignedSums {
 };
 
 // Summed in 8 interleaved parts: the same order for every vector width.
-template <class T>
-SCREE_HOT SignedSums sum_column(const T* column, std::uint32_t padded) {
+SCREE_HOT SignedSums sum_column(const double* column, std::uint32_t padded) {
   double above[SCREE_LANES] = {}, below[SCREE_LANES] = {};
   for (std::uint32_t i = 0; i < padded; i += SCREE_LANES)
     for (std::uint32_t k = 0; k < SCREE_LANES; ++k) {
-      above[k] += double(std::max(column[i + k], T(0)));
-      below[k] += double(std::min(column[i + k], T(0)));
+      above[k] += std::max(column[i + k], 0.0);
+      below[k] += std::min(column[i + k], 0.0);
     }
   SignedSums sums;
   for (const double part : above) sums.above += part;
@@ -26,26 +25,25 @@ SCREE_HOT SignedSums sum_column(const T* column, std::uint32_t padded) {
 
 // Largest ratio of overlap to the smaller radius of a pair. Divides only if a pair exceeds the largest ratio
 // so far.
-template <bool planes, class T>
+template <bool planes>
 SCREE_HOT double largest_overlap_ratio(const double* radius_sum, std::uint32_t padded,
-                                       const BlockColumns<T>& block, double largest) {
+                                       const BlockColumns& block, double largest) {
   const auto smaller_radius = [&](std::uint32_t i) {
-    const double difference = double(block.radius_difference[i]);
+    const double difference = block.radius_difference[i];
     return planes ? difference : 0.5 * (radius_sum[i] - std::abs(difference));
   };
-  Count<double> deeper = 0;
+  Count deeper = 0;
 #pragma GCC ivdep
   for (std::uint32_t i = 0; i < padded; ++i)
-    deeper += double(block.input[SCREE_OVERLAP][i]) > largest * smaller_radius(i);
+    deeper += block.input[SCREE_OVERLAP][i] > largest * smaller_radius(i);
   if (deeper == 0) return largest;
   for (std::uint32_t i = 0; i < padded; ++i)
-    if (block.input[SCREE_OVERLAP][i] > T(0))
-      largest = std::max(largest, double(block.input[SCREE_OVERLAP][i]) / smaller_radius(i));
+    if (block.input[SCREE_OVERLAP][i] > 0)
+      largest = std::max(largest, block.input[SCREE_OVERLAP][i] / smaller_radius(i));
   return largest;
 }
 
-template <class T>
-SCREE_HOT ContactSums sum_block(const BlockColumns<T>& block, std::uint32_t padded) {
+SCREE_HOT ContactSums sum_block(const BlockColumns& block, std::uint32_t padded) {
   ContactSums sums;
   const auto stored = [&](scree_contact_output column) SCREE_INLINE_LAMBDA {
     const SignedSums all = sum_column(block.output[column], padded);

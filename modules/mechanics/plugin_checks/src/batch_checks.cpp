@@ -122,23 +122,4 @@ Checks check_batches(const LawUnderCheck& law) {
            fmt::format("{} of {} contacts differ", different, expected.size())}};
 }
 
-// The bound is a thousand roundings in single precision, which cancel in part where a contact slides.
-Checks check_single_precision(const LawUnderCheck& law) {
-  const std::string name = "single precision agrees with double";
-  if (!law.law.instance().evaluate_single)
-    return {{name, Verdict::skipped, "the law has no single precision"}};
-  ContactColumns exact(LawUnderCheck::variants), rounded(LawUnderCheck::variants);
-  double difference = 0, largest = 0;
-  law.follow(exact, {}, 0, [&](int step) {
-    for (std::size_t i = 0; i < rounded.size(); ++i) law.passage.set(rounded, i, int(i), step);
-    rounded.evaluate_single(law.law, law.passage.step());
-    for (std::size_t i = 0; i < exact.size(); ++i) {
-      const Vec3 force = exact.output_vector(SCREE_FORCE, i);
-      largest = std::max(largest, norm(force));
-      difference = std::max(difference, norm(rounded.output_vector(SCREE_FORCE, i) - force));
-    }
-  });
-  return {bounded(name, largest > 0 ? difference / largest : 0, 1e-3)};
-}
-
 }  // namespace scree::plugin_checks

@@ -104,7 +104,6 @@ Checks check_in(int dimension, const Parameters& law, const std::filesystem::pat
   add("parting", [&] { return in_batches(check_parting); });
   add("batches of any size", [&] { return in_batches(check_batches); });
   add("instruction levels", [&] { return check_levels(law, library, pair, dimension); });
-  add("single precision", [&] { return in_batches(check_single_precision); });
   add("derivatives", [&] { return in_batches(check_derivatives); });
   add("limits of the parameters", [&] { return check_limits(law, pair, dimension); });
   add("impacts", [&] { return check_impacts(law, pair, dimension); });

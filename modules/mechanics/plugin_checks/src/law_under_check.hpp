@@ -35,7 +35,6 @@ Checks check_symmetries(const LawUnderCheck& law);
 Checks check_direction(const LawUnderCheck& law);
 Checks check_parting(const LawUnderCheck& law);
 Checks check_batches(const LawUnderCheck& law);
-Checks check_single_precision(const LawUnderCheck& law);
 Checks check_derivatives(const LawUnderCheck& law);
 Checks check_impacts(const Parameters& law, const CheckedPair& pair, int dimension);
 Checks check_limits(const Parameters& law, const CheckedPair& pair, int dimension);

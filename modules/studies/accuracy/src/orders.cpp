@@ -11,25 +11,21 @@ namespace {
 // Errors below ten times the uncertainty of the reference, or the round-off over a run, are not significant;
 // errors above a tenth are saturated.
 constexpr double safety = 10, ceiling = 0.1;
-double floor_of(const Quantity& q, Precision precision) {
-  const double round_off = precision == Precision::mixed ? 1e-7 : 1e-14;
+double floor_of(const Quantity& q) {
+  constexpr double round_off = 1e-14;
   return safety * std::max(q.uncertainty / q.scale(), round_off);
 }
 
-bool same_method(const Setting& a, const Setting& b) {
-  return a.integration == b.integration && a.precision == b.precision;
-}
-
-// The errors of a method from the coarsest step on: of a quantity, or the largest; `shown` of an outcome's
-// error in a quantity.
+// The errors of an integrator from the coarsest step on: of a quantity, or the largest; `shown` of an
+// outcome's error in a quantity.
 template <class Shown>
-std::vector<double> errors_of(const Convergence& study, const Setting& method,
+std::vector<double> errors_of(const Convergence& study, Integration integration,
                               std::optional<std::size_t> quantity, std::vector<double>& steps,
                               const Shown& shown) {
   std::vector<double> errors;
   steps.clear();
   for (const SettingResult& o : study.outcomes) {
-    if (!same_method(o.setting, method)) continue;
+    if (o.setting.integration != integration) continue;
     const double error = shown(o, quantity.value_or(o.problem.empty() ? o.worst_quantity() : 0));
     if (std::isnan(error)) continue;
     steps.push_back(o.setting.step);
@@ -38,33 +34,33 @@ std::vector<double> errors_of(const Convergence& study, const Setting& method,
   return errors;
 }
 
-Order order_of(const Convergence& study, const Setting& method) {
+Order order_of(const Convergence& study, Integration integration) {
   // Errors below the floor count as 0.
   const auto usable = [&](const SettingResult& o, std::size_t k) {
     if (!o.problem.empty()) return std::numeric_limits<double>::quiet_NaN();
-    return o.errors[k] > floor_of(study.quantities[k], method.precision) ? o.errors[k] : 0;
+    return o.errors[k] > floor_of(study.quantities[k]) ? o.errors[k] : 0;
   };
   const auto of = [&](std::optional<std::size_t> quantity) {
     std::vector<double> steps;
-    const std::vector<double> errors = errors_of(study, method, quantity, steps, usable);
+    const std::vector<double> errors = errors_of(study, integration, quantity, steps, usable);
     return fitted_order(steps, errors, ceiling);
   };
-  Order order = {{method.integration, method.precision, 0}, of(std::nullopt), {}};
+  Order order = {integration, of(std::nullopt), {}};
   for (std::size_t k = 0; k < study.quantities.size(); ++k) order.of_quantities.push_back(of(k));
   return order;
 }
 
-LongestStep longest_step_of(const Convergence& study, const Setting& method) {
+LongestStep longest_step_of(const Convergence& study, Integration integration) {
   // A step without results is too long.
   const auto error = [](const SettingResult& o, std::size_t k) {
     return o.problem.empty() ? o.errors[k] : std::numeric_limits<double>::infinity();
   };
   const auto of = [&](std::optional<std::size_t> quantity) {
     std::vector<double> steps;
-    const std::vector<double> errors = errors_of(study, method, quantity, steps, error);
+    const std::vector<double> errors = errors_of(study, integration, quantity, steps, error);
     return longest_step(steps, errors, study.tolerance);
   };
-  LongestStep longest = {{method.integration, method.precision, 0}, of(std::nullopt), {}};
+  LongestStep longest = {integration, of(std::nullopt), {}};
   for (std::size_t k = 0; k < study.quantities.size(); ++k) longest.of_quantities.push_back(of(k));
   return longest;
 }
@@ -117,10 +113,10 @@ std::optional<double> longest_step(const std::vector<double>& steps, const std::
 void summarise_methods(Convergence& study) {
   for (const SettingResult& o : study.outcomes) {
     if (std::any_of(study.orders.begin(), study.orders.end(),
-                    [&](const Order& order) { return same_method(order.method, o.setting); }))
+                    [&](const Order& order) { return order.integration == o.setting.integration; }))
       continue;
-    study.orders.push_back(order_of(study, o.setting));
-    study.longest_steps.push_back(longest_step_of(study, o.setting));
+    study.orders.push_back(order_of(study, o.setting.integration));
+    study.longest_steps.push_back(longest_step_of(study, o.setting.integration));
   }
 }
 

@@ -2,15 +2,9 @@
 #include <cmath>
 #include <limits>
 
-#include <fmt/format.h>
-
 #include <scree/accuracy/study.hpp>
 
 namespace scree::accuracy {
-
-std::string method_name(const Setting& setting) {
-  return fmt::format("{}, {}", traits_of(setting.integration).name, precision_name(setting.precision));
-}
 
 double Quantity::scale() const {
   if (chosen_scale > 0) return chosen_scale;

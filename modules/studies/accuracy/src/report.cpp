@@ -15,11 +15,10 @@ using Out = std::back_insert_iterator<std::string>;
 void write_settings(const Convergence& study, Out out) {
   const SettingResult* best = cheapest(study);
   const std::vector<const SettingResult*> front = pareto_front(study);
-  fmt::format_to(out, "{:<20} {:<7} {:>10} {:>10} {:>10} {:>11}  {}\n", "integrator", "numbers", "step (s)",
-                 "steps", "wall (s)", "error", "of");
+  fmt::format_to(out, "{:<20} {:>10} {:>10} {:>10} {:>11}  {}\n", "integrator", "step (s)", "steps",
+                 "wall (s)", "error", "of");
   for (const SettingResult& o : study.outcomes) {
-    fmt::format_to(out, "{:<20} {:<7} {:>10.4g} ", traits_of(o.setting.integration).name,
-                   precision_name(o.setting.precision), o.setting.step);
+    fmt::format_to(out, "{:<20} {:>10.4g} ", traits_of(o.setting.integration).name, o.setting.step);
     if (!o.problem.empty()) {
       fmt::format_to(out, "{:>10} {:>10} {:>11}  {}\n", "-", "-", "-", o.problem);
       continue;
@@ -40,12 +39,12 @@ std::string number_text(const std::optional<double>& number, const char* format)
 // Frequency and quality are worth reading at each step, the columns of a run are in accuracy.csv.
 void write_peaks(const Convergence& study, Out out) {
   for (std::size_t k = 0; k < study.quantities.size(); ++k) {
-    fmt::format_to(out, "\n{}\n{:<29} {:>10} {:>14} {:>11}\n", study.quantities[k].name, "", "step (s)",
+    fmt::format_to(out, "\n{}\n{:<20} {:>10} {:>14} {:>11}\n", study.quantities[k].name, "", "step (s)",
                    "value", "error");
     for (const SettingResult& o : study.outcomes)
       if (o.problem.empty())
-        fmt::format_to(out, "{:<29} {:>10.4g} {:>14.9g} {:>11.3g}\n", method_name(o.setting), o.setting.step,
-                       o.values[k], o.errors[k]);
+        fmt::format_to(out, "{:<20} {:>10.4g} {:>14.9g} {:>11.3g}\n", traits_of(o.setting.integration).name,
+                       o.setting.step, o.values[k], o.errors[k]);
   }
 }
 
@@ -55,7 +54,7 @@ struct MethodRow {
 };
 
 bool write_method(const MethodRow& row, bool of_positions, Out out) {
-  fmt::format_to(out, "{:<29} {:>9}", row.name, number_text(row.order, "{:.2f}"));
+  fmt::format_to(out, "{:<20} {:>9}", row.name, number_text(row.order, "{:.2f}"));
   if (of_positions) fmt::format_to(out, " {:>12}", number_text(row.positions, "{:.2f}"));
   fmt::format_to(out, " {:>16}\n", number_text(row.longest, "{:.4g}"));
   return row.order && (row.positions || !of_positions) && row.longest;
@@ -69,13 +68,13 @@ void write_methods(const Convergence& study, Out out) {
   };
   head("largest error", !study.of_peaks);
   for (std::size_t m = 0; m < study.orders.size(); ++m)
-    complete &= write_method({method_name(study.orders[m].method), study.orders[m].of_worst,
+    complete &= write_method({traits_of(study.orders[m].integration).name, study.orders[m].of_worst,
                               study.orders[m].of_quantities.back(), study.longest_steps[m].of_worst},
                              !study.of_peaks, out);
   for (std::size_t k = 0; study.of_peaks && k < study.quantities.size(); ++k) {
     head(study.quantities[k].name, false);
     for (std::size_t m = 0; m < study.orders.size(); ++m)
-      complete &= write_method({method_name(study.orders[m].method), study.orders[m].of_quantities[k],
+      complete &= write_method({traits_of(study.orders[m].integration).name, study.orders[m].of_quantities[k],
                                 std::nullopt, study.longest_steps[m].of_quantities[k]},
                                false, out);
   }
@@ -115,7 +114,7 @@ void append_csv(Out out, double number) { fmt::format_to(out, ",{}", number); }
 std::string verdict(const Convergence& study) {
   const auto describe = [](const SettingResult& o) {
     return fmt::format("{} with a step of {:.4g} s ({:.3g} s of wall time, error {:.2g})",
-                       method_name(o.setting), o.setting.step, o.wall_time, o.worst());
+                       traits_of(o.setting.integration).name, o.setting.step, o.wall_time, o.worst());
   };
   if (const SettingResult* best = cheapest(study))
     return fmt::format("The cheapest setting within {:g} is {}.", study.tolerance, describe(*best));
@@ -147,13 +146,13 @@ std::string text_report(const Convergence& study) {
 }
 
 std::string csv_report(const Convergence& study) {
-  std::string text = "integrator,precision,step_s,steps,wall_s,worst_error";
+  std::string text = "integrator,step_s,steps,wall_s,worst_error";
   const Out out(text);
   for (const Quantity& q : study.quantities) fmt::format_to(out, ",{0},{0}_error", q.name);
   fmt::format_to(out, ",problem\n");
   for (const SettingResult& o : study.outcomes) {
-    fmt::format_to(out, "{},{},{},{},{}", traits_of(o.setting.integration).name,
-                   precision_name(o.setting.precision), o.setting.step, o.steps, o.wall_time);
+    fmt::format_to(out, "{},{},{},{}", traits_of(o.setting.integration).name, o.setting.step, o.steps,
+                   o.wall_time);
     append_csv(out, o.problem.empty() ? o.worst() : NAN);
     for (std::size_t k = 0; k < study.quantities.size(); ++k) {
       append_csv(out, o.problem.empty() ? o.values[k] : NAN);

@@ -18,8 +18,7 @@ Json number_or_null(const std::optional<double>& x) { return x ? Json(*x) : Json
 Json order_of(const Convergence& study, std::size_t method) {
   const Order& order = study.orders[method];
   const LongestStep& longest = study.longest_steps[method];
-  Json json = {{"integrator", traits_of(order.method.integration).name},
-               {"precision", precision_name(order.method.precision)},
+  Json json = {{"integrator", traits_of(order.integration).name},
                {"order", number_or_null(order.of_worst)},
                {"longest_step", number_or_null(longest.of_worst)}};
   if (!study.of_peaks) json["order_of_positions"] = number_or_null(order.of_quantities.back());
@@ -60,12 +59,11 @@ charts::ChartSpec chart_of(const Convergence& study, const std::string& title, c
   chart.log_x = chart.log_y = true;
   for (const Order& order : study.orders) {
     charts::ChartSeries series;
-    series.name = method_name(order.method);
+    series.name = traits_of(order.integration).name;
     series.markers = true;
-    series.color = color_of(order.method.integration);
-    if (order.method.precision == Precision::mixed) series.line = charts::LineStyle::dotted;
+    series.color = color_of(order.integration);
     for (const SettingResult& o : study.outcomes)
-      if (o.problem.empty() && method_name(o.setting) == series.name) add_point(series, o, quantity);
+      if (o.problem.empty() && o.setting.integration == order.integration) add_point(series, o, quantity);
     if (!series.x.empty()) chart.series.push_back(std::move(series));
   }
   chart.series.push_back(front_of(study, quantity));

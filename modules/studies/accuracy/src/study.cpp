@@ -27,7 +27,6 @@ using scenario::Plan;
 Plan with(Plan plan, const Setting& setting) {
   plan.scene.step = setting.step;
   plan.scene.integration = setting.integration;
-  plan.scene.precision = setting.precision;
   return plan;
 }
 
@@ -38,7 +37,7 @@ class StudyRunner {
     coarsest_ = fitting_step(plan_, options.coarsest * plan_.scene.step);
     finest_ = std::ldexp(coarsest_, 1 - options.count);
     // Unit of work for the progress: a run with the finest step.
-    all_work_ = 3 + 14 + 2 * evaluations_of_all();
+    all_work_ = 3 + 14 + evaluations_of_all();
   }
 
   // The reference, with which all settings are compared.
@@ -53,9 +52,8 @@ class StudyRunner {
 
   void run_settings() {
     for (const Integration integration : chosen())
-      for (const Precision precision : {Precision::double_precision, Precision::mixed})
-        for (int k = 0; k < options_.count && !stopped(); ++k)
-          run_setting({integration, precision, std::ldexp(coarsest_, -k)});
+      for (int k = 0; k < options_.count && !stopped(); ++k)
+        run_setting({integration, std::ldexp(coarsest_, -k)});
     summarise_methods(found_);
     found_.interrupted = stopped();
   }
@@ -86,8 +84,7 @@ class StudyRunner {
     constexpr double min_distance = 1e-5;
     const double distance = std::max(0.1 * options_.tolerance, min_distance) * mean_radius(plan_);
     const auto until = trustworthy_until(
-        with(plan_, {Integration::velocity_verlet, Precision::double_precision, finest_}), finest_, coarsest_,
-        distance,
+        with(plan_, {Integration::velocity_verlet, finest_}), finest_, coarsest_, distance,
         [&](double fraction) { report_progress(3 * fraction, "trustworthy time of the reference"); },
         options_.stop);
     count(3);
@@ -128,8 +125,7 @@ class StudyRunner {
     std::vector<InMemoryRun> runs;
     for (int k = 1; k <= 3 && !stopped(); ++k) {
       report_progress(0, "reference");
-      const Setting setting = {Integration::velocity_verlet, Precision::double_precision,
-                               std::ldexp(finest_, -k)};
+      const Setting setting = {Integration::velocity_verlet, std::ldexp(finest_, -k)};
       runs.push_back(comparison_.run(with(plan_, setting), until_, options_.stop));
       count(std::ldexp(1, k));
     }
@@ -185,7 +181,7 @@ class StudyRunner {
   }
 
   void run_setting(const Setting& setting) {
-    report_progress(0, fmt::format("{}, step {:.3g} s", method_name(setting), setting.step));
+    report_progress(0, fmt::format("{}, step {:.3g} s", traits_of(setting.integration).name, setting.step));
     SettingResult outcome;
     outcome.setting = setting;
     try {

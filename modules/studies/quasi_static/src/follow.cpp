@@ -17,9 +17,6 @@ void LoadStudy::check_plan() const {
     throw Error(fmt::format(
         "{}: the last stage is followed, and has no duration; give it one, or cycles and a period",
         plan_.source.string()));
-  if (plan_.scene.precision != Precision::double_precision)
-    throw Error(fmt::format("{}: a quasi-static load takes double precision; leave time.precision out",
-                            plan_.source.string()));
 }
 
 void LoadStudy::check_last_stage() const {

@@ -21,11 +21,6 @@ namespace {
 using charts::ChartSeries;
 using charts::LineStyle;
 
-// A method is an integrator with a precision.
-std::string method_of(const TextTable& table, std::size_t row) {
-  return fmt::format("{}, {}", table.text(row, "integrator"), table.text(row, "precision"));
-}
-
 bool is_drawn(const TextTable& table, std::size_t row) {
   return table.number(row, "worst_error") > 0 && table.number(row, "wall_s") > 0;
 }
@@ -46,27 +41,19 @@ std::vector<std::size_t> front_of(const TextTable& table) {
   return front;
 }
 
-// One colour per integrator, mixed precision dotted, as in the charts of the study.
+// One colour per integrator, as in the charts of the study.
 std::vector<ChartSeries> curves_of(const TextTable& table) {
   static constexpr std::array<std::array<double, 3>, 4> colors = {
       {{0.00, 0.45, 0.70}, {0.84, 0.37, 0.00}, {0.00, 0.62, 0.45}, {0.80, 0.47, 0.65}}};
   std::vector<ChartSeries> curves;
-  std::map<std::string, std::size_t> integrators;
   for (std::size_t k = 0; k < table.rows(); ++k) {
     if (!is_drawn(table, k)) continue;
-    const std::string name = method_of(table, k);
+    const std::string& name = table.text(k, "integrator");
     auto curve =
         std::find_if(curves.begin(), curves.end(), [&](const ChartSeries& c) { return c.name == name; });
     if (curve == curves.end()) {
-      const std::size_t number =
-          integrators.emplace(table.text(k, "integrator"), integrators.size()).first->second;
-      const bool mixed = table.text(k, "precision") == "mixed";
-      curve = curves.insert(curves.end(), ChartSeries{name,
-                                                      {},
-                                                      {},
-                                                      colors[number % colors.size()],
-                                                      mixed ? LineStyle::dotted : LineStyle::solid,
-                                                      true});
+      const auto& color = colors[curves.size() % colors.size()];
+      curve = curves.insert(curves.end(), ChartSeries{name, {}, {}, color, LineStyle::solid, true});
     }
     curve->x.push_back(table.number(k, "wall_s"));
     curve->y.push_back(table.number(k, "worst_error"));
@@ -95,21 +82,15 @@ std::string chart(const TextTable& table) {
 }
 
 std::string rows_of(const TextTable& table, const std::vector<std::size_t>& rows, double tolerance) {
-  Table html({{"integrator"},
-              {"precision"},
-              {"step", true},
-              {"steps", true},
-              {"wall time", true},
-              {"largest error", true},
-              {""}});
+  Table html(
+      {{"integrator"}, {"step", true}, {"steps", true}, {"wall time", true}, {"largest error", true}, {""}});
   for (const std::size_t k : rows) {
     const double error = table.number(k, "worst_error");
     const std::string& problem = table.text(k, "problem");
     const char* remark = error <= tolerance ? "<span class=\"good\">within the tolerance</span>" : "";
-    html.add({escaped(table.text(k, "integrator")), escaped(table.text(k, "precision")),
-              with_unit(table.number(k, "step_s"), "s"), count_text(table.number(k, "steps")),
-              duration_text(table.number(k, "wall_s")), number_text(error, 3),
-              problem.empty() ? remark : escaped(problem)});
+    html.add({escaped(table.text(k, "integrator")), with_unit(table.number(k, "step_s"), "s"),
+              count_text(table.number(k, "steps")), duration_text(table.number(k, "wall_s")),
+              number_text(error, 3), problem.empty() ? remark : escaped(problem)});
   }
   return html.html("accuracy.csv");
 }
@@ -123,13 +104,12 @@ std::string settings(const TextTable& table, double tolerance) {
 }
 
 std::string orders(const Json& record) {
-  Table table({{"method"},
+  Table table({{"integrator"},
                {"observed order", true},
                {"of positions", true},
                {"longest step within the tolerance", true}});
   for (const Json& order : list_in(record, "orders"))
-    table.add({escaped(fmt::format("{}, {}", text_in(order, "integrator"), text_in(order, "precision"))),
-               number_text(number_in(order, "order"), 3),
+    table.add({escaped(text_in(order, "integrator")), number_text(number_in(order, "order"), 3),
                number_text(number_in(order, "order_of_positions"), 3),
                with_unit(number_in(order, "longest_step"), "s")});
   return section("Orders", table.html("accuracy.json"));

@@ -31,12 +31,8 @@ scenario::Plan plan_of(const State& state, const std::filesystem::path& file, Pl
 
 // The state with forces of no contact, which its simulation takes and then evaluates.
 State with_room_for_forces(State state, const Scene& scene) {
-  const std::vector<std::size_t> none = {0, std::size_t(scene.dimension)};
   state.put(rows_of_forces, {std::vector<std::uint32_t>(), {0}, ""});
-  if (scene.precision == Precision::mixed)
-    state.put(forces, {std::vector<float>(), none, "N"});
-  else
-    state.put(forces, {std::vector<double>(), none, "N"});
+  state.put(forces, {std::vector<double>(), {0, std::size_t(scene.dimension)}, "N"});
   return state;
 }
 

@@ -127,8 +127,7 @@ std::vector<std::string> result_warnings(const Simulation& s) {
         "the energy balance does not close, by {:.2g} of the turnover; shorten time.step, or look for a law, "
         "wall or body force that reports wrong energies",
         s.energy_residual()));
-  // Dissipations of 0 round to either side, in float by some 6e-8.
-  const double rounding = s.scene().precision == Precision::mixed ? 1e-6 : 1e-9;
+  constexpr double rounding = 1e-9;  // dissipations of 0 round to either side
   if (s.energy_created() > rounding)
     warnings.push_back(fmt::format(
         "contact laws created {:.2g} of the energy turned over (column 'created' of the probe energy): "

@@ -24,12 +24,10 @@ TEST_CASE("checks of batches find the mistakes that they are meant for", "[batch
              Catch::Contains("force and couple change sign when the bodies change their names"));
   CHECK(failed_by(anisotropic, check_symmetries) == "force and couple rotate with the contact");
   CHECK(failed_by(sideways, check_direction) == "forces are along the normal, or `tangential` is declared");
-  CHECK(failed_by(single, check_single_precision) == "single precision agrees with double");
 }
 
 TEST_CASE("a law without a mistake passes the checks of batches", "[batch_checks]") {
   for (const int dimension : {2, 3})
-    for (const Family family :
-         {check_symmetries, check_direction, check_parting, check_batches, check_single_precision})
+    for (const Family family : {check_symmetries, check_direction, check_parting, check_batches})
       CHECK(failed_by(none, family, dimension) == "");
 }

@@ -19,7 +19,6 @@ enum Fault {
   creates_energy,
   unbalanced,
   derivative,
-  single,
   infinite,
   restitution,
   duration,

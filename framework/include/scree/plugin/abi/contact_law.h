@@ -71,17 +71,6 @@ typedef struct scree_contact_batch {
   double* output[SCREE_CONTACT_OUTPUT_COUNT];     /* energy columns are NULL without an audit */
 } scree_contact_batch;
 
-/* The same in single precision, for runs in mixed precision. */
-typedef struct scree_contact_batch_single {
-  uint32_t struct_size;
-  uint32_t count;
-  double step;
-  double kick;
-  const float* input[SCREE_CONTACT_INPUT_COUNT];
-  float* history[SCREE_MAX_HISTORY];
-  float* output[SCREE_CONTACT_OUTPUT_COUNT];
-} scree_contact_batch_single;
-
 /* A direction in the space of a batch's inputs, and the derivative of the outputs along it. */
 typedef struct scree_contact_tangent {
   uint32_t struct_size;
@@ -102,8 +91,7 @@ typedef struct scree_contact_instance {
   double onset_power, parting_power;
   const char* const* history_names; /* (optional) history_width names */
   void (*evaluate)(const void* storage, const scree_contact_batch* batch);
-  /* (optional) NULL: the law cannot be used in a run of mixed precision */
-  void (*evaluate_single)(const void* storage, const scree_contact_batch_single* batch);
+  void (*reserved)(void); /* never called; keeps the places of the other members */
   /* (optional) Exact derivative of force and couple in the touching pairs of a batch, on the branch (sticking,
    * sliding, ...) that `evaluate` would take, with the history before the step. Writes only `tangent`: neither
    * history nor outputs of the batch. */

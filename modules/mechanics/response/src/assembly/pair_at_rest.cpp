@@ -10,8 +10,8 @@ PairAtRest::PairAtRest(const Particles& particles, std::uint32_t first, std::uin
 
 Levers PairAtRest::lever_arms(scree_arms arms, double at_distance) const {
   return with_kind([&](auto plane) -> Levers {
-    const auto levers = LeverArms<plane.value, double>::of(arms == SCREE_ARM_CONTACT_POINT, at_distance,
-                                                           radius_sum(), radius_difference());
+    const auto levers = LeverArms<plane.value>::of(arms == SCREE_ARM_CONTACT_POINT, at_distance, radius_sum(),
+                                                   radius_difference());
     return {levers.a, levers.b};
   });
 }

@@ -13,7 +13,7 @@
 namespace scree::response {
 
 // Distances from the centres to the point where the force of a pair acts (m); 0 for a wall.
-using Levers = LeverArms<false, double>;
+using Levers = LeverArms<false>;
 
 // A pair of bodies, or of a body and a wall, and where it is.
 struct PairAtRest {
@@ -29,7 +29,7 @@ struct PairAtRest {
   double radius_sum() const { return radius_a + radius_b; }
   double radius_difference() const { return radius_a - radius_b; }
   double overlap() const { return radius_sum() - distance; }
-  PairDirection<3, double> direction() const { return {normal, distance}; }
+  PairDirection<3> direction() const { return {normal, distance}; }
   Levers lever_arms(scree_arms arms) const { return lever_arms(arms, distance); }
   // The same with the centres at another distance.
   Levers lever_arms(scree_arms arms, double at_distance) const;

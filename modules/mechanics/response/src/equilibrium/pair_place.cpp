@@ -30,7 +30,7 @@ PairPlace::PairPlace(const Simulation& simulation, const StaticPair& pair, const
     for (int k = 0; k < 3; ++k) normal[k] = plane.normal[k];
     distance = distance_from_plane(separation, normal);
   } else {
-    const PairDirection<3, double> between = direction_between(separation);
+    const PairDirection<3> between = direction_between(separation);
     normal = between.normal, distance = between.distance;
   }
   middle = with_kind([&](auto plane) {
@@ -38,7 +38,7 @@ PairPlace::PairPlace(const Simulation& simulation, const StaticPair& pair, const
   });
 }
 
-Vec3 PairPlace::slip(const PairDirection<3, double>& at, scree_arms arms) const {
+Vec3 PairPlace::slip(const PairDirection<3>& at, scree_arms arms) const {
   return with_kind([&](auto plane) {
     return contact_velocity<true, plane.value>(at, motion, arms == SCREE_ARM_CONTACT_POINT, radius_sum(),
                                                radius_difference());

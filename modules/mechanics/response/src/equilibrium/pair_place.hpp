@@ -24,8 +24,8 @@ struct PairState {
 
 // Where a pair is at the end of an increment, and how it came there: the kinematics of a step of length 1.
 struct PairPlace : PairAtRest {
-  PairStep<3, double> motion;       // displacement of a's centre relative to b's (m), rotations (rad)
-  PairDirection<3, double> middle;  // in the middle of the increment
+  PairStep<3> motion;       // displacement of a's centre relative to b's (m), rotations (rad)
+  PairDirection<3> middle;  // in the middle of the increment
 
   PairPlace(const Simulation& simulation, const StaticPair& pair, const StaticConfiguration& after,
             const StaticMotion& motion);
@@ -40,7 +40,7 @@ struct PairPlace : PairAtRest {
   double approach() const { return -dot(motion.velocity, normal); }
   // Share of the increment during which the pair touches.
   double touched() const { return touched_share(overlap(), approach()); }
-  Vec3 slip(const PairDirection<3, double>& at, scree_arms arms) const;
+  Vec3 slip(const PairDirection<3>& at, scree_arms arms) const;
 };
 
 }  // namespace scree::response

@@ -8,7 +8,7 @@ namespace scree::scenario {
 // One key of a table of a scenario, as the readers check it.
 struct KeyDescription {
   std::string name;
-  std::string value;   // "number (s) above 0", "true or false", "\"double\" or \"mixed\""
+  std::string value;   // "number (s) above 0", "true or false", "\"png\", \"svg\""
   std::string absent;  // what holds without it: "required", "optional", "default 3"
   std::string doc;
 };

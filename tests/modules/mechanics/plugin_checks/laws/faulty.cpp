@@ -15,7 +15,6 @@ enum Fault {
   creates_energy,
   unbalanced,
   derivative,
-  single,
   infinite,
   restitution,
   duration,
@@ -34,11 +33,10 @@ struct Faulty : scree::ContactLaw {
     d.number("damping", damping, "kg/s", scree::non_negative, "γ");
     d.number("exponent", exponent, "", scree::coefficient,
              "divides by 0 where it is 0 and the fault infinite");
-    d.choice(
-        "fault", fault,
-        "none|asymmetric|anisotropic|creates_energy|unbalanced|derivative|single|infinite|restitution|duration|"
-        "sideways",
-        "the mistake");
+    d.choice("fault", fault,
+             "none|asymmetric|anisotropic|creates_energy|unbalanced|derivative|infinite|restitution|duration|"
+             "sideways",
+             "the mistake");
   }
   std::uint32_t closed_forms(const scree_encounter& e, scree_closed_form* forms, std::uint32_t) const {
     const double decay = 0.5 * damping / e.reduced_mass;
@@ -68,8 +66,6 @@ struct Kernel : Faulty {
     if (fault == infinite) out.force = (T(1) / T(exponent)) * out.force;
     if constexpr (std::is_same_v<T, scree::Dual>)
       if (fault == derivative) out.force = T(1.001) * out.force;
-    if constexpr (std::is_same_v<T, float>)
-      if (fault == single) out.force = T(1.01) * out.force;
   }
 };
 

@@ -169,7 +169,7 @@ TEST_CASE("a quasi-static load passes through walls and bodies of laws that are 
     Scene scene = column(6);
     const std::size_t top = 1;
     if (others) {
-      const double middle = scene.bodies[3].position[1];
+      const double middle = scene.bodies[column_discs / 2].position[1];
       add_boundary(scene, "plane", {{"point", {0, middle, 0}}, {"normal", {0, 1, 0}}, {"control", {7}}},
                    "gate");
       scene.materials.push_back("ghost");

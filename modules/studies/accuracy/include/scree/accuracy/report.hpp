@@ -13,7 +13,7 @@ namespace scree::accuracy {
 std::string verdict(const Convergence& study);
 // Report for a terminal: table of settings, orders, references, horizon and verdict.
 std::string text_report(const Convergence& study);
-// One row per setting: integrator, precision, step_s, steps, wall_s, worst_error, then value and error of
+// One row per setting: integrator, step_s, steps, wall_s, worst_error, then value and error of
 // each quantity; problem.
 std::string csv_report(const Convergence& study);
 

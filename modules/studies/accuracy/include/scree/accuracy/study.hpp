@@ -12,14 +12,11 @@
 
 namespace scree::accuracy {
 
-// One setting of integrator, precision and time step.
+// One setting of integrator and time step.
 struct Setting {
   Integration integration = Integration::velocity_verlet;
-  Precision precision = Precision::double_precision;
   double step = 0;  // (s)
 };
-// "velocity_verlet, double".
-std::string method_name(const Setting& setting);
 
 // A compared quantity. The last one of a study of a run, "positions", is the root mean square distance of the
 // bodies from their positions in the reference, in mean radii.
@@ -50,7 +47,7 @@ struct SettingResult {
 // Slope of log(error) over log(step), fitted where errors decrease with the step: not saturated, and above
 // the uncertainty of the reference, round-off and errors that do not depend on the step.
 struct Order {
-  Setting method;                  // with step 0
+  Integration integration = Integration::velocity_verlet;
   std::optional<double> of_worst;  // absent with fewer than 3 points to fit
   std::vector<std::optional<double>> of_quantities;
 };
@@ -58,7 +55,7 @@ struct Order {
 // The longest step (s) with which an error stays within the tolerance, between two tried ones from their
 // errors; no longer than the longest tried one, and absent if the error of the shortest is larger.
 struct LongestStep {
-  Setting method;                  // with step 0
+  Integration integration = Integration::velocity_verlet;
   std::optional<double> of_worst;  // for all quantities
   std::vector<std::optional<double>> of_quantities;
 };
@@ -98,9 +95,9 @@ struct RecordedStudyOptions : StudyOptions {
   std::function<void(const Convergence&)> on_result;   // called before the tables are written
 };
 
-// Runs a plan with all steps, integrators and precisions, and compares with a reference: the closed form of
-// [[expect]] if there is one, 0 for residuals, else the Richardson extrapolation of velocity Verlet in double
-// precision with 1/2, 1/4 and 1/8 of the finest step. Steps divide the durations of the stages. If runs
+// Runs a plan with all steps and integrators, and compares with a reference: the closed form of
+// [[expect]] if there is one, 0 for residuals, else the Richardson extrapolation of velocity Verlet
+// with 1/2, 1/4 and 1/8 of the finest step. Steps divide the durations of the stages. If runs
 // diverge under refinement, as in chaotic scenes, all are compared at the time until which they agree to a
 // tenth of the tolerance (at least 1e-5) in mean radii. Quantities of peaks are compared if `quantities`
 // names some, or if the plan has no stages or no [[expect]] of a run; then each setting measures these peaks
