@@ -58,7 +58,7 @@ class PairsAhead {
     const std::size_t first = task.pairs.begin + distance;
     indices_ = {contacts.a.data() + first, contacts.b.data() + first, tiles.slot_a().data() + first,
                 tiles.slot_b().data() + first};
-    radius_sum_ = task.radius_sum + distance;
+    numbers_[count_++] = task.radius_sum + distance;
     for (const PairColumns& term : task.tile.constants->terms)
       if (term.size() > 0) numbers_[count_++] = term.column(0) + first;
     for (std::uint32_t k = 0; k < std::min(task.group.history_width, most_histories); ++k)
@@ -67,10 +67,8 @@ class PairsAhead {
 
   // i: pair of the block, a multiple of four.
   SCREE_HOT void prefetch(std::uint32_t i) const {
-    if (i % (cache_line / sizeof(double)) == 0) {
-      __builtin_prefetch(radius_sum_ + i, 0, second_level_cache);
+    if (i % (cache_line / sizeof(double)) == 0)
       for (std::uint32_t k = 0; k < count_; ++k) __builtin_prefetch(numbers_[k] + i, 0, second_level_cache);
-    }
     if (i % (cache_line / sizeof(std::uint32_t)) == 4)
       for (const std::uint32_t* index : indices_) __builtin_prefetch(index + i, 0, second_level_cache);
   }
@@ -80,8 +78,7 @@ class PairsAhead {
   static constexpr std::uint32_t most_histories = 6;
 
   std::array<const std::uint32_t*, 4> indices_;
-  const double* radius_sum_;
-  std::array<const double*, PairConstants::column_count + most_histories> numbers_;
+  std::array<const double*, 1 + PairConstants::column_count + most_histories> numbers_;
   std::uint32_t count_ = 0;
 };
 
