@@ -199,7 +199,7 @@ def refuse_missing(chosen):
     needed = ("taskset", "liggghts", "lmp", str(chosen.scree))
     missing = sorted(program for program in needed if not shutil.which(program))
     if missing:
-        sys.exit(f"peers: {', '.join(missing)} missing; apt install liggghts lammps, and build with tools/run")
+        sys.exit(f"peers: {', '.join(missing)} missing; apt install --no-install-recommends liggghts lammps, and build with tools/run")
 
 
 def main(words, make_codes, machine, version):
