@@ -32,8 +32,8 @@ TEST_CASE("the spatial order contains each body once and keeps neighbours togeth
 
 TEST_CASE("tiles are compact") {
   // 12 x 12 x 36 sites in random order, cut four times across the longest side at a multiple of 1024 bodies.
-  // Each cut may divide a layer of at most 12 x 12 sites, which both parts have in their boxes: a tile touches
-  // at most three cuts.
+  // Each cut may divide a layer of at most 12 x 12 sites, which both parts have in their boxes: a tile
+  // touches at most three cuts.
   std::vector<Body> bodies;
   for (int i = 0; i < 12 * 12 * 36; ++i)
     bodies.push_back(scree::test::body(i, 0.5, 1, {{double(i % 12), double(i / 12 % 12), double(i / 144)}}));

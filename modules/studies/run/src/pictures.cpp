@@ -42,7 +42,7 @@ std::uint64_t Pictures::next(const Simulation& s, std::uint64_t steps) const {
 }
 
 void Pictures::transfer(const StateTransfer& state) {
-  finish();  // what a state lists is there
+  if (writing_.valid()) writing_.wait();  // what a state lists is there; an error comes with the next file
   std::vector<double> colors;
   if (const auto& range = range_.color_extent()) colors.assign(range->begin(), range->end());
   state.numbers("lower", "m", shown_.lower.data(), shown_.lower.size());
