@@ -181,7 +181,7 @@ TEST_CASE("a state of mixed precision is not resumed, but a scene may begin from
   const Simulation branch(scene_from(state, scene), state, Branching());
   REQUIRE(exact.energy().elastic_tangential > 0);
   CHECK(branch.energy().elastic_tangential != exact.energy().elastic_tangential);
-  // Rounding to float: 2^-24 of a spring, twice that of its square.
+  // Rounding to float changes a spring by 2^-24 of it at most, its energy by twice as much.
   CHECK(branch.energy().elastic_tangential == Approx(exact.energy().elastic_tangential).epsilon(2e-7));
   CHECK(branch.let_go().empty());
 }

@@ -2,6 +2,9 @@
 
 #include "contacts/kernel/block_task.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
 #include <span>
 
 // What is read later is prefetched into the second-level cache, a few cache lines at a time: a processor can

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 // Slurm warns the steps of a job before its end, but not its script, so that the run is a step. Whether it is
 // finished is in its record; 130 alone, "its state is saved", leads to another start, so that a task that was
 // cancelled, whose script has ended by then, stays so. The last element has the job number of its array, by
-// which Slurm would queue all elements again, also those that have ended.
+// which Slurm would queue all elements again, finished ones too.
 constexpr const char* script = R"(#!/bin/sh
 # Written by scree campaign --on slurm. An element of an array of tasks; $1 is the task of element 0.
 if [ ! -e {list} ]; then
