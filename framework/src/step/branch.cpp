@@ -21,7 +21,8 @@ StateTransfer from(const State& state) { return StateTransfer::restoring_from(st
 StateTransfer bodies_of(const State& state) { return from(state).below("bodies"); }
 
 constexpr std::uint32_t no_plane = ~std::uint32_t(0);
-constexpr double round_off = 1e-6;  // of springs and energies, which earlier versions could keep as float
+// Relative, of springs and energies, which earlier versions could keep as float.
+constexpr double single_precision = 1e-6;
 
 // How much of an energy (J) is lost, and where it is found; nothing without an audit.
 std::string energy_text(bool audit, double lost, double before, const char* column) {
@@ -219,7 +220,9 @@ void Branch::count_lost(SimulationParts& parts) {
   if (!same_laws) parts.audit.add_lost(parts.contact_sums);
   const ContactSums before = SimulationParts::contact_sums_in(state_);
   if (!same_laws && branching_.histories) report_cut(parts, lost, before.elastic_tangential);
-  const auto missing = [](double then, double now) { return then - now > round_off * then ? then - now : 0; };
+  const auto missing = [](double then, double now) {
+    return then - now > single_precision * then ? then - now : 0;
+  };
   double released = 0;
   if (dropped_.all() > 0)
     released +=
@@ -242,7 +245,7 @@ void Branch::report_cut(SimulationParts& parts, double lost, double before) {
       largest = std::max(largest, std::abs(numbers[k]));
       change = std::max(change, std::abs(group.history.column(k)[row] - numbers[k]));
     }
-    cut += change > round_off * largest;
+    cut += change > single_precision * largest;
     ++all;
   });
   if (cut == 0 || (parts.scene.audit && !(lost > 0))) return;

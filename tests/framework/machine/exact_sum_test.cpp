@@ -1,6 +1,7 @@
 #include "machine/exact_sum.hpp"
 
 #include "contacts/contact_sums.hpp"
+#include "numbers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +12,7 @@
 #include <catch2/catch.hpp>
 
 using scree::ExactSum;
+using scree::test::infinite;
 
 namespace {
 
@@ -30,8 +32,6 @@ constexpr double scree::ContactSums::*members[] = {&scree::ContactSums::elastic_
                                                    &scree::ContactSums::created_power,
                                                    &scree::ContactSums::created,
                                                    &scree::ContactSums::max_overlap_ratio};
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 }  // namespace
 

@@ -11,9 +11,9 @@ using namespace scree::test;
 
 namespace {
 
-const std::string region = "region = { x = [0, 1], y = [0, 0.5] }\n";
+const std::string cloud_region = "region = { x = [0, 1], y = [0, 0.5] }\n";
 const std::string cloud =
-    "[[particles]]\nname = 'cloud'\nrandom = { count = 40 }\n" + region + "radius = 0.02\n";
+    "[[particles]]\nname = 'cloud'\nrandom = { count = 40 }\n" + cloud_region + "radius = 0.02\n";
 
 std::string refused_cloud(const std::string& part, const std::string& other) {
   return refusal(scene_with_lots(with(cloud, part, other)));
@@ -48,9 +48,9 @@ TEST_CASE("bodies at random lie in their region, clear of those of all other tab
 }
 
 TEST_CASE("a solid fraction at random is met, and its radii are those of the distribution", "[scenario]") {
-  const Plan plan =
-      plan_of(scene_with_lots("[particles]\nrandom = { solid_fraction = 0.35, periodic = 'x' }\n" + region +
-                              "radius = { distribution = 'uniform', minimum = 0.005, maximum = 0.01 }\n"));
+  const Plan plan = plan_of(
+      scene_with_lots("[particles]\nrandom = { solid_fraction = 0.35, periodic = 'x' }\n" + cloud_region +
+                      "radius = { distribution = 'uniform', minimum = 0.005, maximum = 0.01 }\n"));
   double area = 0;
   for (const Body& body : plan.scene.bodies) {
     area += std::numbers::pi * body.radius * body.radius;
@@ -92,7 +92,7 @@ TEST_CASE("keys of bodies at random that do not fit together are refused", "[sce
                  Catch::Contains("give a solid fraction of at most 0."));
   CHECK_THAT(refused_cloud("[0, 1]", "[1, 0]"),
              Catch::Contains("1 is not below 0; give the lower limit first"));
-  CHECK_THAT(refused_cloud(region, ""), Catch::Contains("region"));
+  CHECK_THAT(refused_cloud(cloud_region, ""), Catch::Contains("region"));
   CHECK_THAT(refused_cloud("count = 40", "count = 40, periodic = 'yz'"),
              Catch::Contains("'yz' is not a list of axes; give \"x\", \"y\" or \"xy\""));
   CHECK_THAT(refused_cloud("random = {", "lattice = { count = 3 }\nrandom = {"),

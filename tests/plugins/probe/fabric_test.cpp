@@ -10,7 +10,6 @@ using namespace scree::test;
 
 namespace {
 
-const Values elastic_law = {{"normal_stiffness", {5000}}, {"normal_damping", {0}}};
 const Values wide_region = {{"region", {1}}, {"lower", {-9, -9, -9}}, {"upper", {9, 9, 9}}};
 
 }  // namespace

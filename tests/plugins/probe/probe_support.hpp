@@ -12,6 +12,7 @@
 
 namespace scree::test {
 
+inline const Values elastic_law = {{"normal_stiffness", {5000}}, {"normal_damping", {0}}};
 inline const Values frictional_law = {{"normal_stiffness", {5000}},
                                       {"normal_damping", {0.5}},
                                       {"tangential_stiffness", {1000}},

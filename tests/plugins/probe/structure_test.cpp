@@ -10,12 +10,6 @@
 using namespace scree;
 using namespace scree::test;
 
-namespace {
-
-const Values elastic_law = {{"normal_stiffness", {5000}}, {"normal_damping", {0}}};
-
-}  // namespace
-
 TEST_CASE("structure: a periodic cubic lattice has its shells of neighbours in g(r)", "[probe]") {
   std::vector<Body> bodies;
   for (int i = 0; i < 216; ++i)

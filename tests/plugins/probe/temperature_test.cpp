@@ -9,8 +9,6 @@ using namespace scree::test;
 
 namespace {
 
-const Values elastic_law = {{"normal_stiffness", {5000}}, {"normal_damping", {0}}};
-
 // Two bodies below z = 5 m with velocities 1 and 3 along x, two above with 7 and 7, and spins about z.
 Scene layered(int dimension) {
   const auto at = [&](double height) { return dimension == 2 ? Vec3{0, height, 0} : Vec3{0, 0, height}; };
