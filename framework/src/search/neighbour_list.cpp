@@ -22,7 +22,7 @@ constexpr double least_reaches = 8;
 // Bodies are sorted again when the share of pairs that cross tiles exceeds this multiple of the share if they
 // were sorted now. That is computed only above the multiple of the last such share, and above a share below
 // which sorting would gain nothing.
-constexpr double worn_ratio = 1.4, least_worn_share = 0.1;
+constexpr double worn_ratio = 1.1, least_worn_share = 0.1;
 
 // Folds the position of a body into the periodic domain and counts the periods crossed.
 void fold(Particles& p, std::size_t i, const Domain& domain) {

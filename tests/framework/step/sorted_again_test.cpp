@@ -170,7 +170,7 @@ TEST_CASE("bodies that have mixed are sorted again in memory, and only round-off
   REQUIRE(!kept.state().has(order_in_memory));
   REQUIRE(sorted.contact_list().size() > 1000);  // of some 2200 bodies
   check_same_but_for_round_off(sorted, kept);
-  CHECK(sorted.contacts().crossing_share() < kept.contacts().crossing_share() / 1.4);
+  CHECK(sorted.contacts().crossing_share() < kept.contacts().crossing_share() / 1.1);
 }
 
 TEST_CASE("a state lists bodies in the order of the scene, wherever they are in memory", "[order]") {
