@@ -39,6 +39,8 @@ class PairSearch {
   explicit PairSearch(Images images = Images::unique, std::size_t most_pairs = 0);
   ~PairSearch();
 
+  std::size_t most_pairs() const { return most_pairs_; }
+
   // All pairs with |x_a − x_b| < R_a + R_b + skin, sorted by a, then b. Positions must lie in the domain.
   // Throws Error for lengths that `images` refuses, and Error(failure) if there are more pairs than allowed.
   const std::vector<NeighbourPair>& find(std::span<const Sphere> bodies, int dimension, const Domain& domain,

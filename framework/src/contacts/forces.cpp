@@ -82,7 +82,9 @@ void Forces::clear(Particles& particles, BodyRange bodies) {
 ContactSums Forces::evaluate(const Evaluation& e, ThreadPool& threads, const FinishPart& finish_part,
                              Profile* profile) {
   Work& work = *work_;
+  Laps laps_of_search(profile);
   update_pairs(e.particles, e.contacts, reads_of(e.laws), e.planes.size());
+  laps_of_search.lap(Profile::neighbours);
   work.planes.set(e.planes, e.particles.width());
   alignas(32) std::array<double, 4 * 27> shifts;
   if (features_.periodic) shifts = image_shifts(e.domain);

@@ -104,15 +104,15 @@ void NeighbourList::update(double body_speed, double plane_speed, double step, P
   ++steps_;
   const bool review = choice_.review_due(steps_);
   if (review || skin_used_up()) measure(particles, boundaries);
-  const bool search = skin_used_up();
-  if (!review && !search) return;
+  const bool due = skin_used_up();
+  if (!review && !due) return;
   if (!choice_.fixed()) {
     const SkinChoice::ListStatistics list = list_statistics(particles, boundaries, contacts);
-    const double skin = search ? choice_.next_skin(list) : choice_.reviewed_skin(list);
-    if (!search && skin == skin_) return;
+    const double skin = due ? choice_.next_skin(list) : choice_.reviewed_skin(list);
+    if (!due && skin == skin_) return;
     skin_ = skin;
   }
-  rebuild(particles, boundaries, contacts, threads);
+  search(body_travel_, particles, boundaries, contacts, threads);
 }
 
 void NeighbourList::extend(double body_travel, double plane_reach, Particles& particles,
@@ -122,7 +122,7 @@ void NeighbourList::extend(double body_travel, double plane_reach, Particles& pa
   measure(particles, boundaries);
   if (!used_up(body_travel_, plane_travel_ + plane_reach)) return;
   if (!choice_.fixed()) skin_ = choice_.next_skin(list_statistics(particles, boundaries, contacts));
-  rebuild(particles, boundaries, contacts, threads);
+  search(body_travel_, particles, boundaries, contacts, threads);
 }
 
 SkinChoice::ListStatistics NeighbourList::list_statistics(const Particles& particles,
@@ -164,13 +164,18 @@ void NeighbourList::record_positions(Particles& p, const Domain& domain) {
 
 void NeighbourList::rebuild(Particles& particles, const Boundaries& boundaries, Contacts& contacts,
                             ThreadPool& threads) {
+  search(std::numeric_limits<double>::infinity(), particles, boundaries, contacts, threads);
+}
+
+void NeighbourList::search(double moved, Particles& particles, const Boundaries& boundaries,
+                           Contacts& contacts, ThreadPool& threads) {
   record_positions(particles, boundaries.domain());
   Contacts::Lookup lookup = lookup_;
   lookup.body_material = particles.material.data();
   lookup.plane_material = boundaries.plane_materials().data();
   const int dimension = particles.dimension();
   const std::vector<NeighbourPair>& found =
-      search_.find(bodies_at_search_, dimension, boundaries.domain(), skin_, threads);
+      search_.find(bodies_at_search_, dimension, boundaries.domain(), skin_, moved, threads);
   const std::vector<NeighbourPair> some = without_fixed_pairs(found, particles);
   contacts.rebuild(particles.fixed.empty() ? found : some,  // no copy of what was found
                    near_planes(bodies_at_search_, boundaries, dimension, skin_), lookup, particles.order());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "contacts/contacts.hpp"
+#include "search/repeated_search.hpp"
 #include "search/skin_choice.hpp"
 #include "walls/boundaries.hpp"
 
@@ -28,7 +29,7 @@ class NeighbourList {
   // now unless no unlisted pair touches wherever the planes are within plane_reach (m).
   void extend(double body_travel, double plane_reach, Particles& particles, const Boundaries& boundaries,
               Contacts& contacts, ThreadPool& threads);
-  // Searches now and folds positions into the periodic domain.
+  // Searches now, wherever bodies and planes have been before, and folds positions into the periodic domain.
   void rebuild(Particles& particles, const Boundaries& boundaries, Contacts& contacts, ThreadPool& threads);
 
   // All but the pairs; the skin of the first search follows from the scene.
@@ -51,6 +52,9 @@ class NeighbourList {
   bool used_up(double body_travel, double plane_travel) const {
     return body_travel + std::max(body_travel, plane_travel) >= skin_;
   }
+  // moved: bound of the displacement of any body since the last search (m).
+  void search(double moved, Particles& particles, const Boundaries& boundaries, Contacts& contacts,
+              ThreadPool& threads);
   void record_positions(Particles& particles, const Domain& domain);
   void transfer_bodies(const class StateTransfer& state, const BodyOrder& order);
   void transfer_crossing(const class StateTransfer& state);
@@ -63,7 +67,7 @@ class NeighbourList {
   SkinChoice choice_;
   std::uint64_t steps_ = 0;  // since the last search
   Contacts::Lookup lookup_;
-  PairSearch search_;
+  RepeatedSearch search_;
   double body_travel_ = 0, plane_travel_ = 0;  // (m) bounds of the displacement since the last search
   Column<Sphere> bodies_at_search_;            // bodies at the last search
   std::vector<scree_plane> planes_at_search_;

@@ -113,14 +113,13 @@ class PairCollector {
   // Appends pairs of `body` with the candidates within reach, and clears the candidates.
   template <bool across>
   void append(const CellLevel::BinnedBody& body, const CellLevel::BinnedBody* others) {
-    const double reach_of_body = body.radius + skin_;
     std::uint32_t* near = candidates_.data();
     for (std::size_t k = 0; k < count_; ++k) {
       const std::uint32_t candidate = candidates_[k];
       const CellLevel::BinnedBody& other = others[candidate];
       const Vec3 d = body.position - other.position;
       const double square = across ? folding_.square_distance(d) : Folding::square(d);
-      const double reach = reach_of_body + other.radius;
+      const double reach = body.radius + other.radius + skin_;  // the same whichever body comes first
       *near = candidate;
       near += square < reach * reach ? 1 : 0;
     }
