@@ -1,10 +1,10 @@
 #include "contacts/pair_constants.hpp"
 
+#include "machine/instruction_levels.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
-
-#include <scree/contact_kinematics.hpp>
 
 namespace scree {
 
@@ -12,15 +12,68 @@ namespace {
 
 // What pairs combine, in columns that fit into a cache, unlike the records of the bodies.
 struct BodyColumns {
-  std::vector<double> radius, curvature, inverse_mass;
+  std::vector<double> radius, curvature, inverse_mass, inverse_mass_at_wall;
 
-  explicit BodyColumns(const Particles& p)
-      : radius(p.radius().begin(), p.radius().end()),
+  BodyColumns(const Particles& p, bool walls)
+      : radius(p.size()),
         curvature(p.size()),
-        inverse_mass(p.inverse_mass().begin(), p.inverse_mass().end()) {
-    for (std::size_t i = 0; i < p.size(); ++i) curvature[i] = 1 / radius[i];
+        inverse_mass(p.size()),
+        inverse_mass_at_wall(walls ? p.size() : 0) {
+    for (std::size_t i = 0; i < p.size(); ++i) {  // one pass over the records
+      radius[i] = p.radius()[i];
+      curvature[i] = 1 / radius[i];
+      inverse_mass[i] = p.inverse_mass()[i];
+      if (walls) inverse_mass_at_wall[i] = p.inverse_mass_at_wall(i);
+    }
   }
 };
+
+// The partners of the pairs of a group, padding included, and what they combine.
+struct Partners {
+  const std::uint32_t *a, *b;
+  std::size_t pairs;
+};
+
+// x_a + y_b of each pair.
+SCREE_EVERY_LEVEL void add(const Partners& of, const double* x, const double* y, double* sum) {
+  for (std::size_t q = 0; q < of.pairs; ++q) sum[q] = x[of.a[q]] + y[of.b[q]];
+}
+
+// 1 / (x_a + y_b) of each pair: its reduced mass, or its effective radius.
+SCREE_EVERY_LEVEL void add_inverse(const Partners& of, const double* x, const double* y, double* inverse) {
+  for (std::size_t q = 0; q < of.pairs; ++q) inverse[q] = 1 / (x[of.a[q]] + y[of.b[q]]);
+}
+
+void set_constants(PairConstants& constants, const Contacts& contacts, const PairGroup& group,
+                   const BodyColumns& bodies) {
+  const Partners of = {contacts.a.data() + group.begin, contacts.b.data() + group.begin, group.padded_size()};
+  // A plane adds nothing to radii and inverse masses.
+  const std::uint32_t planes =
+      group.planes && of.pairs > 0 ? 1 + *std::max_element(of.b, of.b + of.pairs) : 0;
+  const std::vector<double> nothing(planes);
+  const auto of_b = [&](const std::vector<double>& column) { return (planes > 0 ? nothing : column).data(); };
+  const auto term = [&](scree_contact_input input) {
+    PairColumns& column = constants.terms[input - SCREE_REDUCED_MASS];
+    return column.size() > 0 ? column.column(0) + group.begin : nullptr;
+  };
+  const std::vector<double>& inverse_mass = planes > 0 ? bodies.inverse_mass_at_wall : bodies.inverse_mass;
+  add(of, bodies.radius.data(), of_b(bodies.radius), constants.radius_sum.data() + group.begin);
+  if (double* const mass = term(SCREE_REDUCED_MASS))
+    add_inverse(of, inverse_mass.data(), of_b(inverse_mass), mass);
+  if (double* const root = term(SCREE_REDUCED_MASS_ROOT)) {
+    add_inverse(of, inverse_mass.data(), of_b(inverse_mass), root);
+    std::transform(root, root + of.pairs, root, [](double mass) { return std::sqrt(mass); });
+  }
+  if (double* const radius = term(SCREE_EFFECTIVE_RADIUS)) {
+    if (planes > 0)
+      add(of, bodies.radius.data(), nothing.data(), radius);
+    else
+      add_inverse(of, bodies.curvature.data(), bodies.curvature.data(), radius);
+  }
+  for (const PairRun& run : group.runs)
+    std::fill(constants.radius_sum.begin() + std::ptrdiff_t(run.end),
+              constants.radius_sum.begin() + std::ptrdiff_t(run.begin + run.padded_size()), -1.0);
+}
 
 }  // namespace
 
@@ -30,34 +83,10 @@ void PairConstants::update(const Contacts& contacts, const Particles& p, std::ui
   force.reset(forces ? std::uint32_t(p.dimension()) : 0, all);
   for (std::uint32_t k = 0; k < column_count; ++k)
     terms[k].resize(reads & (1u << (SCREE_REDUCED_MASS + k)) ? 1 : 0, all);
-  const BodyColumns bodies(p);
-  for (const PairGroup& group : contacts.groups()) {
-    const auto set = [&](auto* column, const auto& value) {
-      for (const PairRun& run : group.runs)
-        for (std::size_t q = run.begin; q < run.begin + run.padded_size(); ++q)
-          column[q] = value(contacts.a[q], contacts.b[q]);
-    };
-    const auto mass = [&](std::uint32_t a, std::uint32_t b) {
-      return group.planes ? reduced_mass(p.inverse_mass_at_wall(a), 0)
-                          : reduced_mass(bodies.inverse_mass[a], bodies.inverse_mass[b]);
-    };
-    const auto set_term = [&](scree_contact_input input, const auto& value) {
-      PairColumns& term = terms[input - SCREE_REDUCED_MASS];
-      if (term.size() > 0) set(term.column(0), value);
-    };
-    set(radius_sum.data(), [&](std::uint32_t a, std::uint32_t b) {
-      return group.planes ? bodies.radius[a] : bodies.radius[a] + bodies.radius[b];
-    });
-    set_term(SCREE_REDUCED_MASS, mass);
-    set_term(SCREE_REDUCED_MASS_ROOT,
-             [&](std::uint32_t a, std::uint32_t b) { return std::sqrt(mass(a, b)); });
-    set_term(SCREE_EFFECTIVE_RADIUS, [&](std::uint32_t a, std::uint32_t b) {
-      return group.planes ? bodies.radius[a] : 1 / (bodies.curvature[a] + bodies.curvature[b]);
-    });
-    for (const PairRun& run : group.runs)
-      std::fill(radius_sum.begin() + std::ptrdiff_t(run.end),
-                radius_sum.begin() + std::ptrdiff_t(run.begin + run.padded_size()), -1.0);
-  }
+  const auto has_pairs_with_planes = [](const PairGroup& group) { return group.planes && group.pairs > 0; };
+  const BodyColumns bodies(
+      p, std::any_of(contacts.groups().begin(), contacts.groups().end(), has_pairs_with_planes));
+  for (const PairGroup& group : contacts.groups()) set_constants(*this, contacts, group, bodies);
 }
 
 std::size_t PairConstants::bytes_per_pair() const {
