@@ -272,7 +272,9 @@ TEST_CASE("render replaces pictures of its run, and other files only with --over
   const std::string there = "is there already; give another --out, or --overwrite";
   refused(call + "--out pictures", "pictures/frame_0000000010.png", there);
   CHECK_FALSE(w.has("pictures/frame_0000000000.png"));
-  refused(call + "--movie movie.mp4", "movie.mp4", "is there already; give another name, or --overwrite");
+  refused(call + "--movie movie.mp4", "movie.mp4", "is there already; give another --movie, or --overwrite");
+  CHECK(contains(w.scree(call + "--movie movie.txt").err,
+                 "is not a name of a movie; give one that ends in .mp4"));
   std::filesystem::copy(w / "out/snapshots/particles_0000000010.vtp", w / "a.vtp");
   refused("render a.vtp", "a.png", there);
   // A picture in the run that is not of the run.

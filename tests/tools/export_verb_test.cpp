@@ -34,6 +34,9 @@ TEST_CASE("export writes the bodies of a state in each format, and scree reads t
         "scree: bodies.csv: is there already; give another --out, or --overwrite\n");
   CHECK_THAT(w.scree("export out --format xzy").err, Catch::Contains("xyz"));
   std::filesystem::create_directory(w / "empty");
+  const Outcome nowhere = w.scree("export out --format csv --out missing/bodies.csv");
+  CHECK(nowhere.status == 2);
+  CHECK_THAT(nowhere.err, Catch::Contains("there is no folder "));
   CHECK_THAT(w.scree("export out --format csv --overwrite --out empty").err,
              Catch::Contains("empty: is not a regular file; give another --out"));
   CHECK_THAT(w.scree("export out --format csv --overwrite --out out/final_state.h5").err,

@@ -200,6 +200,10 @@ TEST_CASE("fields refuses what it cannot compute in one line", "[tools]") {
     return outcome.err;
   };
   CHECK(refused("--out f.txt") == "scree: f.txt: is neither .csv nor .vti; give another --out\n");
+  CHECK_THAT(refused("--out missing/f.csv"), Catch::Contains("missing/f.csv: there is no folder ") &&
+                                                 Catch::Contains("; create it, or give another --out\n"));
+  CHECK(refused("--density 2500") ==
+        "scree: --density: is for frames (.vtp), but out/final_state.h5 has masses; leave it out\n");
   CHECK(
       refused("--plane z=1") ==
       "scree: --plane: 'z=1' is not an axis of the scene and a place on it; give for example --plane y=0.01\n");

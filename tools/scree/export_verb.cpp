@@ -1,6 +1,7 @@
 #include "exported_contacts.hpp"
 #include "exported_frames.hpp"
 #include "program_verbs.hpp"
+#include "support/output_file.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -91,16 +92,14 @@ bool is_result(const fs::path& file) {
 
 // Throws Error if the file may not be written.
 void check_out(const ExportArguments& arguments, const fs::path& out) {
+  check_output_file("--out", out, true);
   std::error_code failed;
-  const fs::file_status there = fs::symlink_status(out, failed);
-  if (!fs::exists(there)) return;
-  if (!fs::is_regular_file(there)) throw Error(out.string(), "is not a regular file", "give another --out");
+  if (!fs::exists(fs::symlink_status(out, failed))) return;
   if (out.extension() == ".h5" || fs::equivalent(out, arguments.source, failed))
     throw Error(out.string(), "holds what is exported, or another state", "give another --out");
   if (is_result(out))
     throw Error(out.string(), "is a result of scree, which exports do not replace", "give another --out");
-  if (!arguments.overwrite)
-    throw Error(out.string(), "is there already", "give another --out, or --overwrite");
+  check_output_file("--out", out, arguments.overwrite);
 }
 
 ExitStatus export_bodies(const ExportArguments& arguments) {

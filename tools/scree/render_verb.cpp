@@ -1,4 +1,5 @@
 #include "program_verbs.hpp"
+#include "support/output_file.hpp"
 #include "support/snapshot_files.hpp"
 
 #include <algorithm>
@@ -185,11 +186,9 @@ class Pictures {
 
 // Throws Error unless the movie can be made.
 void check_movie(const RenderArguments& arguments) {
-  check_replaced(arguments.movie, arguments.overwrite, "is there already; give another name, or --overwrite");
-  const fs::path folder = fs::absolute(arguments.movie).parent_path();
-  if (std::error_code failed; !fs::is_directory(folder, failed))
-    throw Error(
-        fmt::format("--movie {}: there is no folder {}; create it", arguments.movie, folder.string()));
+  check_output_file("--movie", arguments.movie, arguments.overwrite);
+  if (fs::path(arguments.movie).extension() != ".mp4")
+    throw Error("--movie " + arguments.movie, "is not a name of a movie", "give one that ends in .mp4");
   if (!pictures::has_ffmpeg())
     throw Error(
         fmt::format("--movie: {}; install it (apt install ffmpeg), or leave --movie out and join the "

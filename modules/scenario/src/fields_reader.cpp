@@ -61,9 +61,7 @@ std::vector<FieldsPlan> read_fields(const document::Table& root, const Scene& sc
     unique.add(t, plan.name);
     plan.every = read_interval(t, fields_keys.every, scene.step);
     plan.table = read(t, fields_keys.format) == "csv";
-    if (t.optional(fields_keys.stages)) plan.stages = t.strings(fields_keys.stages);
-    for (std::size_t k = 0; k < plan.stages.size(); ++k)
-      find_name(t, "stages", "stage", plan.stages[k], stage_names, k);
+    plan.stages = read_stage_names(t, stage_names);
     plan.request = read_grid(t, scene.dimension);
     plan.place = t.place();
     plans.push_back(std::move(plan));

@@ -18,6 +18,15 @@ std::size_t find_name(const document::Table& table, std::string_view key, std::s
   throw element ? table.error(key, *element, problem, cure) : table.error(key, problem, cure);
 }
 
+std::vector<std::string> read_stage_names(const document::Table& table,
+                                          const std::vector<std::string>& names) {
+  if (!table.has("stages")) return {};
+  const std::vector<std::string> stages = table.strings("stages");
+  if (stages.empty()) throw table.error("stages", "is empty", "name a stage, or leave it out for all stages");
+  for (std::size_t k = 0; k < stages.size(); ++k) find_name(table, "stages", "stage", stages[k], names, k);
+  return stages;
+}
+
 void UniqueNames::add(const document::Table& table, const std::string& name) {
   if (name.empty())
     throw table.error("name", fmt::format("the {} name is empty", what_), "give a name, such as \"first\"");

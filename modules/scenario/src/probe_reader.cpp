@@ -140,9 +140,7 @@ void read_probe(ProbeDraft& draft, const std::vector<ProbeDraft>& drafts, const 
   // Without stages there is no run, and no time between samples.
   if (!stages.empty() || t.optional(probe_keys.every))
     plan.every = read_interval(t, probe_keys.every, scene.step);
-  if (t.optional(probe_keys.stages)) plan.stages = t.strings(probe_keys.stages);
-  for (std::size_t k = 0; k < plan.stages.size(); ++k)
-    find_name(t, "stages", "stage", plan.stages[k], stages, k);
+  plan.stages = read_stage_names(t, stages);
   take_inputs(draft, drafts, scene.dimension, stages);
   check_complete(t, plan.parameters);
   const Probe probe = placed(t, "plugin", [&] { return Probe(plan.parameters, scene.dimension); });

@@ -84,6 +84,8 @@ TEST_CASE("a probe records only while those do that it reads", "[scenario]") {
       "same stages");
   CHECK(refusal(staged, {"probe.energy.stages=['b']", "probe.lock_in.stages=['b']"}) == "no error");
   CHECK(refusal(staged, {"probe.lock_in.stages=['a']"}) == "no error");
+  CHECK_THAT(refusal(staged, {"probe.energy.stages=[]"}),
+             Catch::Contains("stages=[]: is empty; name a stage, or leave it out for all stages"));
 }
 
 TEST_CASE("a probe with times of its own takes no others", "[scenario]") {

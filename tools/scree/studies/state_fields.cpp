@@ -1,6 +1,7 @@
 #include "studies/state_fields.hpp"
 
 #include "support/last_state.hpp"
+#include "support/output_file.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -44,15 +45,20 @@ std::vector<fs::path> files_of(const FieldsOptions& options) {
 void check_files(const FieldsOptions& options) {
   if (options.out.extension() != ".csv" && !is_image(options.out))
     throw Error(options.out.string(), "is neither .csv nor .vti", "give another --out");
-  for (const fs::path& file : files_of(options)) {
-    std::error_code failed;
-    const fs::file_status there = fs::symlink_status(file, failed);
-    if (!fs::exists(there)) continue;
-    if (!fs::is_regular_file(there))
-      throw Error(file.string(), "is not a regular file", "give another --out");
-    if (!options.overwrite)
-      throw Error(file.string(), "is there already", "give another --out, or --overwrite");
-  }
+  for (const fs::path& file : files_of(options)) check_output_file("--out", file, options.overwrite);
+}
+
+bool is_frame(const fs::path& source) { return source.extension() == ".vtp"; }
+
+// States have masses of their own.
+void check_masses(const FieldsOptions& options) {
+  if (std::any_of(options.sources.begin(), options.sources.end(), is_frame)) return;
+  const char* const needless = options.density_of_frames ? "--density"
+                               : options.state_of_frames ? "--state"
+                                                         : nullptr;
+  if (needless)
+    throw Error(needless, "is for frames (.vtp), but " + options.sources.front().string() + " has masses",
+                "leave it out");
 }
 
 // The fields of the states that it is given, one after another, and their balances.
@@ -62,7 +68,7 @@ class StateFields {
       : options_(options), host_(host), threads_(options.threads, ThreadPool::IfTooFew::use_fewer) {}
 
   void add(const fs::path& file) {
-    fields::FieldInput input = file.extension() == ".vtp" ? frame_in(file) : state_in(file);
+    fields::FieldInput input = is_frame(file) ? frame_in(file) : state_in(file);
     if (!kernel_) choose_grid(input);
     try {
       add_to_sums(input);
@@ -193,6 +199,7 @@ class StateFields {
 
 void write_fields(const FieldsOptions& options, PluginHost& host) {
   check_files(options);
+  check_masses(options);
   StateFields all(options, host);
   for (const fs::path& source : options.sources) all.add(source);
   all.write();

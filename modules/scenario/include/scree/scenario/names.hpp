@@ -16,6 +16,11 @@ std::size_t find_name(const document::Table& table, std::string_view key, std::s
                       const std::string& word, const std::vector<std::string>& names,
                       std::optional<std::size_t> element = std::nullopt);
 
+// `stages` of the table, each one of these; empty without the key, which stands for all stages. Throws Error
+// for an unknown one and for an empty list.
+std::vector<std::string> read_stage_names(const document::Table& table,
+                                          const std::vector<std::string>& names);
+
 // A set of names that must be different.
 class UniqueNames {
  public:
