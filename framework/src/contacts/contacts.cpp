@@ -36,40 +36,74 @@ std::uint64_t Contacts::place_key(bool planes, std::uint32_t a, std::uint32_t b)
   return planes ? key(a, b) : key(std::min(a, b), std::max(a, b));
 }
 
-template <class Pairs, class First, class Second, class Take>
-void Contacts::fill(PairGroup& group, const Pairs& pairs, const First& first, const Second& second,
-                    const Take& take) {
-  group.begin = group.end = a.size();
-  group.pairs = 0;
-  group.runs.clear();
-  std::vector<std::size_t> crossing;
-  std::size_t next = 0;
-  for (std::size_t t = 0; t < tiles_.count(); ++t) {
-    const std::size_t end = t + 1 == tiles_.count() ? std::numeric_limits<std::size_t>::max() : tiles_[t].end;
-    crossing.clear();
-    PairRun run = {.begin = a.size()};
-    for (; next < pairs.size() && first(pairs[next]) < end; ++next)
-      if (second(pairs[next]) < end)
-        take(pairs[next]);
-      else
-        crossing.push_back(next);
-    run.crossing = a.size();
-    for (const std::size_t pair : crossing) take(pairs[pair]);
-    close_run(group, run);
-  }
-  group.history.reset(group.history_width, group.padded_size());
+namespace {
+
+// How pairs of a range are taken into a group, see Contacts::fill.
+template <class Belongs, class First, class Second, class Write>
+struct Choice {
+  Belongs belongs;
+  First first;
+  Second second;
+  Write write;
+};
+template <class Belongs, class First, class Second, class Write>
+Choice(Belongs, First, Second, Write) -> Choice<Belongs, First, Second, Write>;
+
+}  // namespace
+
+template <class Pairs, class Choice>
+void Contacts::fill(PairGroup& group, const Pairs& pairs, const Choice& choice, ThreadPool& threads) {
+  std::vector<std::size_t> first(tiles_.count() + 1);
+  first.back() = pairs.size();
+  for (std::size_t t = 1; t < tiles_.count(); ++t)
+    first[t] = std::size_t(
+        std::partition_point(pairs.begin(), pairs.end(),
+                             [&](const auto& pair) { return choice.first(pair) < tiles_[t].begin; }) -
+        pairs.begin());
+  set_runs(group, pairs, first, choice, threads);
+  threads.each(tiles_.count(), [&](std::size_t t, unsigned) {
+    const PairRun& run = group.runs[t];
+    std::size_t inside = run.begin, crossing = run.crossing;
+    for (std::size_t k = first[t]; k < first[t + 1]; ++k)
+      if (choice.belongs(pairs[k]))
+        choice.write(pairs[k], choice.second(pairs[k]) < end_of(t) ? inside++ : crossing++);
+    write_padding(group, run);
+    group.history.clear(run.begin - group.begin, run.begin - group.begin + run.padded_size());
+  });
 }
 
-void Contacts::close_run(PairGroup& group, PairRun run) {
-  run.end = a.size();
-  group.runs.push_back(run);
-  if (run.end > run.begin) group.end = run.end;
-  group.pairs += run.end - run.begin;
-  while (a.size() % SCREE_LANES) append_pair(a.back(), group.planes ? 0 : a.back(), Domain::no_shift);
+template <class Pairs, class Choice>
+void Contacts::set_runs(PairGroup& group, const Pairs& pairs, const std::vector<std::size_t>& first,
+                        const Choice& choice, ThreadPool& threads) {
+  group.runs.assign(tiles_.count(), {});
+  threads.each(tiles_.count(), [&](std::size_t t, unsigned) {
+    PairRun& run = group.runs[t];  // as if it began at 0
+    for (std::size_t k = first[t]; k < first[t + 1]; ++k) {
+      const bool belongs = choice.belongs(pairs[k]);
+      run.end += belongs;
+      run.crossing += belongs && choice.second(pairs[k]) < end_of(t);
+    }
+  });
+  group.begin = group.end = a.size();
+  group.pairs = 0;
+  std::size_t begin = group.begin;
+  for (PairRun& run : group.runs) {
+    group.pairs += run.end;
+    run.begin = begin, run.crossing += begin, run.end += begin;
+    if (run.end > run.begin) group.end = run.end;
+    begin += run.padded_size();
+  }
+  resize_with_room(a, begin), resize_with_room(b, begin), resize_with_room(image, begin);
+  group.history.resize(group.history_width, group.padded_size());
+}
+
+void Contacts::write_padding(const PairGroup& group, const PairRun& run) {
+  for (std::size_t q = run.end; q < run.begin + run.padded_size(); ++q)
+    set_pair(q, a[run.end - 1], group.planes ? 0 : a[run.end - 1], Domain::no_shift);
 }
 
 void Contacts::rebuild(const std::vector<NeighbourPair>& bodies, const std::vector<PlanePair>& planes,
-                       const Lookup& lookup, const BodyOrder& order) {
+                       const Lookup& lookup, const BodyOrder& order, ThreadPool& threads) {
   assert(std::is_sorted(bodies.begin(), bodies.end(), [](const NeighbourPair& p, const NeighbourPair& q) {
     return std::tie(p.a, p.b) < std::tie(q.a, q.b);
   }));
@@ -83,25 +117,28 @@ void Contacts::rebuild(const std::vector<NeighbourPair>& bodies, const std::vect
     before_[g].begin = group.begin;
     std::swap(before_[g].runs, group.runs);
     std::swap(before_[g].history, group.history);
-    const auto take_plane = [&](const PlanePair& p) {
-      if (law_of(lookup.body_material[p.body], lookup.plane_material[p.plane]) == group.law)
-        append_pair(p.body, p.plane, Domain::no_shift);
-    };
-    const auto take_bodies = [&](const NeighbourPair& p) {
-      const bool turned = order.number(p.a) > order.number(p.b);
-      const std::uint32_t first = turned ? p.b : p.a, second = turned ? p.a : p.b;
-      if (law_of(lookup.body_material[first], lookup.body_material[second]) == group.law)
-        append_pair(first, second, turned ? reversed(p.image) : p.image);
-    };
     const auto body_of = [](const PlanePair& p) { return p.body; };
-    if (group.planes)
-      fill(group, planes, body_of, body_of, take_plane);
-    else
-      fill(
-          group, bodies, [](const NeighbourPair& p) { return p.a; },
-          [](const NeighbourPair& p) { return p.b; }, take_bodies);
+    const auto is_turned = [&](const NeighbourPair& p) { return order.number(p.a) > order.number(p.b); };
+    const Choice planes_of_group = {
+        [&](const PlanePair& p) {
+          return law_of(lookup.body_material[p.body], lookup.plane_material[p.plane]) == group.law;
+        },
+        body_of, body_of,
+        [&](const PlanePair& p, std::size_t index) { set_pair(index, p.body, p.plane, Domain::no_shift); }};
+    const Choice bodies_of_group = {
+        [&](const NeighbourPair& p) {
+          const std::uint32_t a_material = lookup.body_material[p.a], b_material = lookup.body_material[p.b];
+          return (is_turned(p) ? law_of(b_material, a_material) : law_of(a_material, b_material)) ==
+                 group.law;
+        },
+        [](const NeighbourPair& p) { return p.a; }, [](const NeighbourPair& p) { return p.b; },
+        [&](const NeighbourPair& p, std::size_t index) {
+          is_turned(p) ? set_pair(index, p.b, p.a, reversed(p.image)) : set_pair(index, p.a, p.b, p.image);
+        }};
+    group.planes ? fill(group, planes, planes_of_group, threads)
+                 : fill(group, bodies, bodies_of_group, threads);
   }
-  carry_histories();
+  carry_histories(threads);
   ++revision_;
 }
 
@@ -110,12 +147,15 @@ std::vector<PairColumns::Move> Contacts::fill_unsorted(PairGroup& group, std::ve
   std::sort(pairs.begin(), pairs.end(),
             [&](const Listed& p, const Listed& q) { return key_of(p) < key_of(q); });
   std::vector<PairColumns::Move> rows;
-  const auto first = [&](const Listed& p) { return group.planes ? p.a : std::min(p.a, p.b); };
-  const auto second = [&](const Listed& p) { return group.planes ? p.a : std::max(p.a, p.b); };
-  fill(group, pairs, first, second, [&](const Listed& p) {
-    rows.push_back({p.row, std::uint32_t(a.size() - group.begin)});
-    append_pair(p.a, p.b, p.image);
-  });
+  const Choice all = {[](const Listed&) { return true; },
+                      [&](const Listed& p) { return group.planes ? p.a : std::min(p.a, p.b); },
+                      [&](const Listed& p) { return group.planes ? p.a : std::max(p.a, p.b); },
+                      [&](const Listed& p, std::size_t index) {
+                        rows.push_back({p.row, std::uint32_t(index - group.begin)});
+                        set_pair(index, p.a, p.b, p.image);
+                      }};
+  ThreadPool alone(1);
+  fill(group, pairs, all, alone);
   return rows;
 }
 
@@ -182,8 +222,11 @@ void Contacts::clear_histories() {
 
 void Contacts::append(std::size_t group, const std::vector<PlanePair>& pairs) {
   const auto body_of = [](const PlanePair& p) { return p.body; };
-  fill(groups_[group], pairs, body_of, body_of,
-       [&](const PlanePair& p) { append_pair(p.body, p.plane, Domain::no_shift); });
+  const Choice all = {
+      [](const PlanePair&) { return true; }, body_of, body_of,
+      [&](const PlanePair& p, std::size_t index) { set_pair(index, p.body, p.plane, Domain::no_shift); }};
+  ThreadPool alone(1);
+  fill(groups_[group], pairs, all, alone);
 }
 
 Contacts::Place Contacts::find(bool plane, std::uint32_t first, std::uint32_t second,
@@ -206,29 +249,31 @@ Contacts::Place Contacts::find(bool plane, std::uint32_t first, std::uint32_t se
   return {nullptr, 0};
 }
 
-void Contacts::carry_history(const Before& before, const PairGroup& now, std::size_t p, std::size_t p_end,
-                             std::size_t q, std::size_t q_end) {
+void Contacts::add_kept_rows(const Before& before, const PairGroup& now, std::size_t p, std::size_t p_end,
+                             std::size_t q, std::size_t q_end, std::vector<PairColumns::Move>& rows) const {
   for (; q < q_end; ++q) {
     const std::uint64_t pair = place_key(now.planes, a[q], b[q]);
     while (p < p_end && place_key(now.planes, before_a_[p], before_b_[p]) < pair) ++p;
     if (p == p_end) break;
     if (before_a_[p] == a[q] && before_b_[p] == b[q])
-      kept_rows_.push_back({std::uint32_t(p - before.begin), std::uint32_t(q - now.begin)});
+      rows.push_back({std::uint32_t(p - before.begin), std::uint32_t(q - now.begin)});
   }
 }
 
-void Contacts::carry_histories() {
+void Contacts::carry_histories(ThreadPool& threads) {
+  kept_rows_.resize(tiles_.count());
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     PairGroup& now = groups_[g];
     const Before& before = before_[g];
     if (now.history_width == 0 || before.history.width() == 0) continue;
-    kept_rows_.clear();
-    for (std::size_t t = 0; t < now.runs.size(); ++t) {
+    threads.each(now.runs.size(), [&](std::size_t t, unsigned) {
+      std::vector<PairColumns::Move>& rows = kept_rows_[t];
       const PairRun &from = before.runs[t], &to = now.runs[t];
-      carry_history(before, now, from.begin, from.crossing, to.begin, to.crossing);
-      carry_history(before, now, from.crossing, from.end, to.crossing, to.end);
-    }
-    now.history.take(before.history, kept_rows_);
+      rows.clear();
+      add_kept_rows(before, now, from.begin, from.crossing, to.begin, to.crossing, rows);
+      add_kept_rows(before, now, from.crossing, from.end, to.crossing, to.end, rows);
+      now.history.take(before.history, rows);
+    });
   }
 }
 

@@ -4,12 +4,14 @@
 #include "contacts/pair_columns.hpp"
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include <scree/body_order.hpp>
 #include <scree/column.hpp>
 #include <scree/pair_search.hpp>
 #include <scree/plugin/abi.h>
+#include <scree/thread_pool.hpp>
 
 namespace scree {
 
@@ -77,7 +79,7 @@ class Contacts {
 
   // Replaces the pairs (of places, sorted by a, b) and keeps the histories of pairs that existed before.
   void rebuild(const std::vector<NeighbourPair>& bodies, const std::vector<PlanePair>& planes,
-               const Lookup& lookup, const BodyOrder& order = {});
+               const Lookup& lookup, const BodyOrder& order, ThreadPool& threads);
 
   // After bodies have been moved in memory: each place has taken the body at the place `from[place]`.
   void rearrange(const std::vector<std::uint32_t>& from);
@@ -125,16 +127,27 @@ class Contacts {
   };
   // By which the pairs of a run are sorted: of two bodies, the lower place first.
   static std::uint64_t place_key(bool planes, std::uint32_t a, std::uint32_t b);
-  // Replaces the pairs of a group by pairs of a range, which is sorted by place keys. take(pair) appends the
-  // pair, if it belongs to the group; first(pair), second(pair) are its places, the lower first.
-  template <class Pairs, class First, class Second, class Take>
-  void fill(PairGroup& group, const Pairs& pairs, const First& first, const Second& second, const Take& take);
+  // Fills a group, which must be the next empty one, with pairs of a range that is sorted by place keys, and
+  // history 0. choice.belongs(pair): to the group; choice.first(pair), choice.second(pair): its places, of
+  // which the first is lower; choice.write(pair, index) sets a, b and image.
+  template <class Pairs, class Choice>
+  void fill(PairGroup& group, const Pairs& pairs, const Choice& choice, ThreadPool& threads);
+  // Sets the runs of a group, and makes room for them; pairs of tile t are [first[t], first[t + 1]).
+  template <class Pairs, class Choice>
+  void set_runs(PairGroup& group, const Pairs& pairs, const std::vector<std::size_t>& first,
+                const Choice& choice, ThreadPool& threads);
+  // Behind the pairs of a run.
+  void write_padding(const PairGroup& group, const PairRun& run);
   // The same for pairs in any order; the histories are to be moved.
   std::vector<PairColumns::Move> fill_unsorted(PairGroup& group, std::vector<Listed>& pairs);
-  void append_pair(std::uint32_t first, std::uint32_t second, std::uint8_t code) {
-    a.push_back(first), b.push_back(second), image.push_back(code);
+  void set_pair(std::size_t index, std::uint32_t first, std::uint32_t second, std::uint8_t code) {
+    a[index] = first, b[index] = second, image[index] = code;
   }
-  void carry_histories();
+  void carry_histories(ThreadPool& threads);
+  // Behind the bodies of a tile; without tiles, behind all.
+  std::size_t end_of(std::size_t tile) const {
+    return tile + 1 == tiles_.count() ? std::numeric_limits<std::size_t>::max() : tiles_[tile].end;
+  }
   // The pairs of a group in a state; return the row of each in the group.
   std::vector<std::uint32_t> save_pairs(const class StateTransfer& state, const PairGroup& group,
                                         const BodyOrder& order) const;
@@ -142,9 +155,6 @@ class Contacts {
                                            const BodyOrder& order, std::size_t planes);
   static void transfer_history(const class StateTransfer& state, PairGroup& group,
                                const std::vector<std::uint32_t>& storage);
-  // Ends a run that has begun, and fills it up.
-  void close_run(PairGroup& group, PairRun run);
-
   // A group before the last rebuild; its memory is reused by the next.
   struct Before {
     std::size_t begin = 0;
@@ -152,15 +162,15 @@ class Contacts {
     PairColumns history;
   };
 
-  // The rows of the pairs [q, q_end) that were among [p, p_end) before; both are sorted.
-  void carry_history(const Before& before, const PairGroup& now, std::size_t p, std::size_t p_end,
-                     std::size_t q, std::size_t q_end);
+  // Adds the rows of the pairs [q, q_end) that were among [p, p_end) before; both are sorted.
+  void add_kept_rows(const Before& before, const PairGroup& now, std::size_t p, std::size_t p_end,
+                     std::size_t q, std::size_t q_end, std::vector<PairColumns::Move>& rows) const;
 
   BodyTiles tiles_;
   std::vector<PairGroup> groups_;
   std::vector<Before> before_;
   Column<std::uint32_t> before_a_, before_b_;
-  std::vector<PairColumns::Move> kept_rows_;
+  std::vector<std::vector<PairColumns::Move>> kept_rows_;  // of each tile
   std::uint64_t revision_ = 0;
 };
 

@@ -74,7 +74,8 @@ void DisplacedLoads::take(const Scene& scene, std::size_t plane, PlanePairs& pai
     });
     pairs.contacts.append(next++, of_plane);
   }
-  pairs.constants.update(pairs.contacts, scene.particles, reads_of(scene.laws), false);
+  ThreadPool alone(1);
+  pairs.constants.update(pairs.contacts, scene.particles, reads_of(scene.laws), false, alone);
 }
 
 }  // namespace scree

@@ -63,13 +63,13 @@ std::uint32_t reads_of(const std::vector<LawInstance>& laws) {
 }
 
 void Forces::update_pairs(Particles& particles, const Contacts& contacts, std::uint32_t reads,
-                          std::size_t planes) {
+                          std::size_t planes, ThreadPool& threads) {
   Work& work = *work_;
   if (work.revision == contacts.revision()) return;
   work.revision = contacts.revision();
   if (work.tiles.bodies().size() != particles.size()) work.tiles = kernel::Tiles(particles.size());
-  work.tiles.plan(contacts, planes);
-  work.constants.update(contacts, particles, reads, features_.pair_forces);
+  work.tiles.plan(contacts, planes, threads);
+  work.constants.update(contacts, particles, reads, features_.pair_forces, threads);
   particles.set_load_rows(work.tiles.slots());
   work.block_sums.resize(work.tiles.blocks().size());
 }
@@ -83,7 +83,7 @@ ContactSums Forces::evaluate(const Evaluation& e, ThreadPool& threads, const Fin
                              Profile* profile) {
   Work& work = *work_;
   Laps laps_of_search(profile);
-  update_pairs(e.particles, e.contacts, reads_of(e.laws), e.planes.size());
+  update_pairs(e.particles, e.contacts, reads_of(e.laws), e.planes.size(), threads);
   laps_of_search.lap(Profile::neighbours);
   work.planes.set(e.planes, e.particles.width());
   alignas(32) std::array<double, 4 * 27> shifts;
@@ -166,8 +166,8 @@ std::size_t Forces::bytes_per_pair() const {
 }
 
 void Forces::transfer(const StateTransfer& state, Particles& particles, const Contacts& contacts,
-                      const std::vector<LawInstance>& laws, std::size_t planes) {
-  update_pairs(particles, contacts, reads_of(laws), planes);
+                      const std::vector<LawInstance>& laws, std::size_t planes, ThreadPool& threads) {
+  update_pairs(particles, contacts, reads_of(laws), planes, threads);
   state.value("max_overlap_ratio", "1", work_->max_overlap_ratio, stored::non_negative);
   if (!features_.pair_forces) return;
   PairColumns& force = work_->constants.force;

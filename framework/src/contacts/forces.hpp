@@ -66,11 +66,12 @@ class Forces {
                        Profile* profile = nullptr);
 
   // Makes room for the listed pairs, as an evaluation does first; their forces are 0.
-  void update_pairs(Particles& particles, const Contacts& contacts, std::uint32_t reads, std::size_t planes);
+  void update_pairs(Particles& particles, const Contacts& contacts, std::uint32_t reads, std::size_t planes,
+                    ThreadPool& threads);
 
   // Forces of pairs in the last evaluation, and the largest overlap so far.
   void transfer(const class StateTransfer& state, Particles& particles, const Contacts& contacts,
-                const std::vector<LawInstance>& laws, std::size_t planes);
+                const std::vector<LawInstance>& laws, std::size_t planes, ThreadPool& threads);
 
   // Whether a state has the forces of pairs.
   static bool are_in(const class State& state);

@@ -21,7 +21,11 @@ class PairColumns {
   // Changes the size and sets all values to 0.
   void reset(std::uint32_t width, std::size_t rows) {
     resize(width, rows);
-    std::fill(numbers_.begin(), numbers_.end(), 0.0);
+    clear(0, rows);
+  }
+  // Sets the rows [begin, end) to 0.
+  void clear(std::size_t begin, std::size_t end) {
+    for (std::uint32_t k = 0; k < width(); ++k) std::fill(column(k) + begin, column(k) + end, 0.0);
   }
 
   // Number of values in all columns together.

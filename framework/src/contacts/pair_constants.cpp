@@ -13,20 +13,34 @@ namespace {
 // What pairs combine, in columns that fit into a cache, unlike the records of the bodies.
 struct BodyColumns {
   std::vector<double> radius, curvature, inverse_mass, inverse_mass_at_wall;
+  std::vector<double> nothing;  // of each plane: it adds nothing to radii and inverse masses
 
-  BodyColumns(const Particles& p, bool walls)
+  BodyColumns(const Particles& p, std::size_t planes, ThreadPool& threads)
       : radius(p.size()),
         curvature(p.size()),
         inverse_mass(p.size()),
-        inverse_mass_at_wall(walls ? p.size() : 0) {
-    for (std::size_t i = 0; i < p.size(); ++i) {  // one pass over the records
-      radius[i] = p.radius()[i];
-      curvature[i] = 1 / radius[i];
-      inverse_mass[i] = p.inverse_mass()[i];
-      if (walls) inverse_mass_at_wall[i] = p.inverse_mass_at_wall(i);
-    }
+        inverse_mass_at_wall(planes > 0 ? p.size() : 0),
+        nothing(planes) {
+    const BodyTiles tiles(p.size());
+    threads.each(tiles.count(), [&](std::size_t t, unsigned) {
+      for (std::size_t i = tiles[t].begin; i < tiles[t].end; ++i) {  // one pass over the records
+        radius[i] = p.radius()[i];
+        curvature[i] = 1 / radius[i];
+        inverse_mass[i] = p.inverse_mass()[i];
+        if (planes > 0) inverse_mass_at_wall[i] = p.inverse_mass_at_wall(i);
+      }
+    });
   }
 };
+
+// Number of planes that pairs may name.
+std::size_t planes_in(const Contacts& contacts) {
+  std::size_t planes = 0;
+  for (const PairGroup& group : contacts.groups())
+    if (group.planes)
+      group.each_pair([&](std::size_t q) { planes = std::max<std::size_t>(planes, contacts.b[q] + 1); });
+  return planes;
+}
 
 // The partners of the pairs of a group, padding included, and what they combine.
 struct Partners {
@@ -44,49 +58,46 @@ SCREE_EVERY_LEVEL void add_inverse(const Partners& of, const double* x, const do
   for (std::size_t q = 0; q < of.pairs; ++q) inverse[q] = 1 / (x[of.a[q]] + y[of.b[q]]);
 }
 
-void set_constants(PairConstants& constants, const Contacts& contacts, const PairGroup& group,
+// For a run of pairs with bodies or with planes.
+void set_constants(PairConstants& constants, const Contacts& contacts, const PairRun& run, bool planes,
                    const BodyColumns& bodies) {
-  const Partners of = {contacts.a.data() + group.begin, contacts.b.data() + group.begin, group.padded_size()};
-  // A plane adds nothing to radii and inverse masses.
-  const std::uint32_t planes =
-      group.planes && of.pairs > 0 ? 1 + *std::max_element(of.b, of.b + of.pairs) : 0;
-  const std::vector<double> nothing(planes);
-  const auto of_b = [&](const std::vector<double>& column) { return (planes > 0 ? nothing : column).data(); };
+  const Partners of = {contacts.a.data() + run.begin, contacts.b.data() + run.begin, run.padded_size()};
+  const auto of_b = [&](const std::vector<double>& column) {
+    return (planes ? bodies.nothing : column).data();
+  };
   const auto term = [&](scree_contact_input input) {
     PairColumns& column = constants.terms[input - SCREE_REDUCED_MASS];
-    return column.size() > 0 ? column.column(0) + group.begin : nullptr;
+    return column.size() > 0 ? column.column(0) + run.begin : nullptr;
   };
-  const std::vector<double>& inverse_mass = planes > 0 ? bodies.inverse_mass_at_wall : bodies.inverse_mass;
-  add(of, bodies.radius.data(), of_b(bodies.radius), constants.radius_sum.data() + group.begin);
+  const std::vector<double>& inverse_mass = planes ? bodies.inverse_mass_at_wall : bodies.inverse_mass;
+  double* const radius_sum = constants.radius_sum.data() + run.begin;
+  add(of, bodies.radius.data(), of_b(bodies.radius), radius_sum);
+  if (double* const radius = term(SCREE_EFFECTIVE_RADIUS))
+    planes ? void(std::copy(radius_sum, radius_sum + of.pairs, radius))
+           : add_inverse(of, bodies.curvature.data(), bodies.curvature.data(), radius);
   if (double* const mass = term(SCREE_REDUCED_MASS))
     add_inverse(of, inverse_mass.data(), of_b(inverse_mass), mass);
   if (double* const root = term(SCREE_REDUCED_MASS_ROOT)) {
     add_inverse(of, inverse_mass.data(), of_b(inverse_mass), root);
     std::transform(root, root + of.pairs, root, [](double mass) { return std::sqrt(mass); });
   }
-  if (double* const radius = term(SCREE_EFFECTIVE_RADIUS)) {
-    if (planes > 0)
-      add(of, bodies.radius.data(), nothing.data(), radius);
-    else
-      add_inverse(of, bodies.curvature.data(), bodies.curvature.data(), radius);
-  }
-  for (const PairRun& run : group.runs)
-    std::fill(constants.radius_sum.begin() + std::ptrdiff_t(run.end),
-              constants.radius_sum.begin() + std::ptrdiff_t(run.begin + run.padded_size()), -1.0);
+  std::fill(radius_sum + (run.end - run.begin), radius_sum + run.padded_size(), -1.0);
 }
 
 }  // namespace
 
-void PairConstants::update(const Contacts& contacts, const Particles& p, std::uint32_t reads, bool forces) {
+void PairConstants::update(const Contacts& contacts, const Particles& p, std::uint32_t reads, bool forces,
+                           ThreadPool& threads) {
   const std::size_t all = contacts.padded_size();
   resize_with_room(radius_sum, all);
   force.reset(forces ? std::uint32_t(p.dimension()) : 0, all);
   for (std::uint32_t k = 0; k < column_count; ++k)
     terms[k].resize(reads & (1u << (SCREE_REDUCED_MASS + k)) ? 1 : 0, all);
-  const auto has_pairs_with_planes = [](const PairGroup& group) { return group.planes && group.pairs > 0; };
-  const BodyColumns bodies(
-      p, std::any_of(contacts.groups().begin(), contacts.groups().end(), has_pairs_with_planes));
-  for (const PairGroup& group : contacts.groups()) set_constants(*this, contacts, group, bodies);
+  const BodyColumns bodies(p, planes_in(contacts), threads);
+  for (const PairGroup& group : contacts.groups())
+    threads.each(group.runs.size(), [&](std::size_t t, unsigned) {
+      set_constants(*this, contacts, group.runs[t], group.planes, bodies);
+    });
 }
 
 std::size_t PairConstants::bytes_per_pair() const {

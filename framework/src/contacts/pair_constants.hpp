@@ -6,6 +6,7 @@
 
 #include <scree/particles.hpp>
 #include <scree/plugin/abi.h>
+#include <scree/thread_pool.hpp>
 
 namespace scree {
 
@@ -16,7 +17,8 @@ struct PairConstants {
 
   // Recomputes the constants of all pairs, padding included. reads: bits of the inputs that any law reads,
   // only these are stored; forces: whether per-contact forces are stored.
-  void update(const Contacts& contacts, const Particles& particles, std::uint32_t reads, bool forces);
+  void update(const Contacts& contacts, const Particles& particles, std::uint32_t reads, bool forces,
+              ThreadPool& threads);
   std::size_t bytes_per_pair() const;
 
   scree::Column<double> radius_sum;  // R_a + R_b, for a plane R_a; −1 for padding, which never touches (m)

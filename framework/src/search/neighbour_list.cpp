@@ -103,7 +103,7 @@ void NeighbourList::update(double body_speed, double plane_speed, double step, P
   // The integrated largest speed overestimates the displacement; measure it before searching.
   ++steps_;
   const bool review = choice_.review_due(steps_);
-  if (review || skin_used_up()) measure(particles, boundaries);
+  if (review || skin_used_up()) measure(particles, boundaries, threads);
   const bool due = skin_used_up();
   if (!review && !due) return;
   if (!choice_.fixed()) {
@@ -119,7 +119,7 @@ void NeighbourList::extend(double body_travel, double plane_reach, Particles& pa
                            const Boundaries& boundaries, Contacts& contacts, ThreadPool& threads) {
   choice_.keep_above(least_reaches * plane_reach);
   if (!used_up(body_travel_ + body_travel, plane_travel_ + plane_reach)) return;
-  measure(particles, boundaries);
+  measure(particles, boundaries, threads);
   if (!used_up(body_travel_, plane_travel_ + plane_reach)) return;
   if (!choice_.fixed()) skin_ = choice_.next_skin(list_statistics(particles, boundaries, contacts));
   search(body_travel_, particles, boundaries, contacts, threads);
@@ -133,17 +133,22 @@ SkinChoice::ListStatistics NeighbourList::list_statistics(const Particles& parti
   return {skin_, travelled, steps_, listed, touching, double(particles.size())};
 }
 
-void NeighbourList::measure(const Particles& p, const Boundaries& boundaries) {
-  double largest = 0;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    double square = 0;
-    for (int k = 0; k < p.dimension(); ++k) {
-      const double moved = p.position()[k][i] - bodies_at_search_[i].position[k];
-      square += moved * moved;
+void NeighbourList::measure(const Particles& p, const Boundaries& boundaries, ThreadPool& threads) {
+  const BodyTiles tiles(p.size());
+  std::vector<double> largest(tiles.count());
+  threads.each(tiles.count(), [&](std::size_t t, unsigned) {
+    double largest_square = 0;
+    for (std::size_t i = tiles[t].begin; i < tiles[t].end; ++i) {
+      double square = 0;
+      for (int k = 0; k < p.dimension(); ++k) {
+        const double moved = p.position()[k][i] - bodies_at_search_[i].position[k];
+        square += moved * moved;
+      }
+      largest_square = std::max(largest_square, square);
     }
-    largest = std::max(largest, square);
-  }
-  body_travel_ = std::sqrt(largest);
+    largest[t] = largest_square;
+  });
+  body_travel_ = std::sqrt(*std::max_element(largest.begin(), largest.end()));
   plane_travel_ = 0;
   for (std::size_t w = 0; w < planes_at_search_.size(); ++w) {
     double moved = 0;
@@ -153,13 +158,16 @@ void NeighbourList::measure(const Particles& p, const Boundaries& boundaries) {
   }
 }
 
-void NeighbourList::record_positions(Particles& p, const Domain& domain) {
+void NeighbourList::record_positions(Particles& p, const Domain& domain, ThreadPool& threads) {
   bodies_at_search_.resize(p.size());
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    if (domain.any_periodic()) fold(p, i, domain);
-    bodies_at_search_[i] = {{}, p.radius()[i]};
-    for (int k = 0; k < p.dimension(); ++k) bodies_at_search_[i].position[k] = p.position()[k][i];
-  }
+  const BodyTiles tiles(p.size());
+  threads.each(tiles.count(), [&](std::size_t t, unsigned) {
+    for (std::size_t i = tiles[t].begin; i < tiles[t].end; ++i) {
+      if (domain.any_periodic()) fold(p, i, domain);
+      bodies_at_search_[i] = {{}, p.radius()[i]};
+      for (int k = 0; k < p.dimension(); ++k) bodies_at_search_[i].position[k] = p.position()[k][i];
+    }
+  });
 }
 
 void NeighbourList::rebuild(Particles& particles, const Boundaries& boundaries, Contacts& contacts,
@@ -169,7 +177,7 @@ void NeighbourList::rebuild(Particles& particles, const Boundaries& boundaries, 
 
 void NeighbourList::search(double moved, Particles& particles, const Boundaries& boundaries,
                            Contacts& contacts, ThreadPool& threads) {
-  record_positions(particles, boundaries.domain());
+  record_positions(particles, boundaries.domain(), threads);
   Contacts::Lookup lookup = lookup_;
   lookup.body_material = particles.material.data();
   lookup.plane_material = boundaries.plane_materials().data();
@@ -178,7 +186,8 @@ void NeighbourList::search(double moved, Particles& particles, const Boundaries&
       search_.find(bodies_at_search_, dimension, boundaries.domain(), skin_, moved, threads);
   const std::vector<NeighbourPair> some = without_fixed_pairs(found, particles);
   contacts.rebuild(particles.fixed.empty() ? found : some,  // no copy of what was found
-                   near_planes(bodies_at_search_, boundaries, dimension, skin_), lookup, particles.order());
+                   near_planes(bodies_at_search_, boundaries, dimension, skin_), lookup, particles.order(),
+                   threads);
   planes_at_search_ = boundaries.planes();
   absent_at_search_ = boundaries.absent();
   body_travel_ = plane_travel_ = 0;

@@ -55,11 +55,11 @@ class NeighbourList {
   // moved: bound of the displacement of any body since the last search (m).
   void search(double moved, Particles& particles, const Boundaries& boundaries, Contacts& contacts,
               ThreadPool& threads);
-  void record_positions(Particles& particles, const Domain& domain);
+  void record_positions(Particles& particles, const Domain& domain, ThreadPool& threads);
   void transfer_bodies(const class StateTransfer& state, const BodyOrder& order);
   void transfer_crossing(const class StateTransfer& state);
   void compare_order(const Contacts& contacts, int dimension);
-  void measure(const Particles& particles, const Boundaries& boundaries);
+  void measure(const Particles& particles, const Boundaries& boundaries, ThreadPool& threads);
   SkinChoice::ListStatistics list_statistics(const Particles& particles, const Boundaries& boundaries,
                                              const Contacts& contacts) const;
 

@@ -196,7 +196,7 @@ Particles& SimulationParts::in_scene_order() {
 void SimulationParts::transfer_pairs(const StateTransfer& state) {
   contacts.transfer(state.below("contacts"), particles.order(), boundaries.planes().size());
   neighbours.transfer(state.below("neighbours"), particles, boundaries);
-  forces.transfer(state.below("contacts"), particles, contacts, laws, boundaries.planes().size());
+  forces.transfer(state.below("contacts"), particles, contacts, laws, boundaries.planes().size(), *threads);
 }
 
 ContactSums SimulationParts::contact_sums_in(const State& state) {
@@ -228,7 +228,7 @@ void SimulationParts::come_to_rest(const RestingPacking& packing) {
   if (particles.orientations) particles.orientations = packing.orientations;
   boundaries.come_to_rest(packing.planes, packing.loads);
   search_neighbours();
-  forces.update_pairs(particles, contacts, reads_of(laws), boundaries.planes().size());
+  forces.update_pairs(particles, contacts, reads_of(laws), boundaries.planes().size(), *threads);
   contacts.clear_histories();
   for (const ContactHistory& contact : packing.contacts) {
     const std::size_t bodies = particles.size();

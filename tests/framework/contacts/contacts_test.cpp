@@ -64,7 +64,8 @@ Contacts two_laws() {
 }
 
 void rebuild(Contacts& contacts, const Table& table, const ListedPairs& pairs) {
-  contacts.rebuild(pairs.body, pairs.plane, table.lookup());
+  scree::ThreadPool threads(1);
+  contacts.rebuild(pairs.body, pairs.plane, table.lookup(), {}, threads);
 }
 
 using Key = std::tuple<std::uint32_t, bool, std::uint32_t, std::uint32_t>;  // law, plane, a, b
@@ -209,9 +210,10 @@ TEST_CASE(
   };
   const auto key_of = [](std::uint32_t a, std::uint32_t b) { return double(a) * bodies + b; };
   Contacts contacts({{0, false, 1}}, tiles);
+  scree::ThreadPool threads(2);
   const scree::BodyOrder order = scree::BodyOrder().moved(numbers);
   const std::vector<NeighbourPair> pairs = pairs_of(0.5);
-  contacts.rebuild(pairs, {}, lookup, order);
+  contacts.rebuild(pairs, {}, lookup, order, threads);
   PairGroup& group = contacts.groups()[0];
   REQUIRE(group.pairs == pairs.size());
   REQUIRE(group.runs.size() == 3);
@@ -236,7 +238,7 @@ TEST_CASE(
 
   // Half of the pairs go, others come; then each body moves to the place of its number.
   const std::vector<NeighbourPair> later = pairs_of(0.5);
-  contacts.rebuild(later, {}, lookup, order);
+  contacts.rebuild(later, {}, lookup, order, threads);
   contacts.rearrange(order.back());
   const scree::BodyOrder back = order.moved(order.back());
   CHECK(contacts.crossing_share() > 0.5);

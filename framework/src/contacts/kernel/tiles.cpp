@@ -24,66 +24,67 @@ void Tiles::cut_blocks(const Contacts& contacts, std::uint32_t t) {
   tiles_[t].last_block = blocks_.size();
 }
 
-void Tiles::assign_slots(const Contacts& contacts, std::size_t planes) {
-  resize_with_room(slot_a_, contacts.padded_size());
-  resize_with_room(slot_b_, contacts.padded_size());
+// Exactly one body of a pair across tiles is of another tile.
+void Tiles::count_slots(const Contacts& contacts, std::size_t planes) {
+  slots_ = bodies_.size();
+  std::size_t foreign = 0;
   for (std::uint32_t t = 0; t < tiles_.size(); ++t) {
     Tile& tile = tiles_[t];
-    const auto slot_of = [&](std::uint32_t body) {
-      const auto owner = std::uint32_t(bodies_.owner(body));
-      if (owner == t) return body;
-      outgoing_.push_back({body, std::uint32_t(slots_)});
-      tile.reached.push_back(owner);
-      return std::uint32_t(slots_++);
-    };
     tile.first_foreign = slots_;
-    for (std::size_t k = tile.first_block; k < tile.last_block; ++k) {
-      const PairBlock& block = blocks_[k];
-      const PairGroup& group = contacts.groups()[block.group];
-      for (std::size_t p = block.begin; p < block.begin + block.pairs; ++p) {
-        slot_a_[p] = slot_of(contacts.a[p]);
-        if (!group.planes) slot_b_[p] = slot_of(contacts.b[p]);
-      }
-    }
+    tile.first_outgoing = foreign;
+    for (const PairGroup& group : contacts.groups())
+      if (!group.planes && !group.runs.empty()) slots_ += group.runs[t].end - group.runs[t].crossing;
+    foreign += slots_ - tile.first_foreign;
     tile.last_foreign = tile.first_own = slots_;
     slots_ += planes + 1;
-    for (std::size_t k = tile.first_block; k < tile.last_block; ++k) {
-      const PairBlock& block = blocks_[k];
-      const PairGroup& group = contacts.groups()[block.group];
-      for (std::size_t p = block.begin; p < block.begin + block.count; ++p) {
-        const bool padding = p >= block.begin + block.pairs;
-        if (padding) slot_a_[p] = slot_b_[p] = std::uint32_t(tile.first_own + planes);
-        if (!padding && group.planes) slot_b_[p] = std::uint32_t(tile.first_own + contacts.b[p]);
-      }
-    }
   }
+  outgoing_.resize(foreign);
+  resize_with_room(slot_a_, contacts.padded_size());
+  resize_with_room(slot_b_, contacts.padded_size());
 }
 
-void Tiles::find_reached_tiles() {
-  for (std::uint32_t t = 0; t < tiles_.size(); ++t) {
-    Tile& tile = tiles_[t];
-    std::vector<std::uint32_t>& reached = tile.reached;
-    reached.push_back(t);
-    std::sort(reached.begin(), reached.end());
-    reached.erase(std::unique(reached.begin(), reached.end()), reached.end());
-    for (const std::uint32_t other : reached) ++tiles_[other].reached_by;
+void Tiles::assign_slots(const Contacts& contacts, std::size_t planes, std::uint32_t t) {
+  Tile& tile = tiles_[t];
+  std::size_t slot = tile.first_foreign;
+  const auto slot_of = [&](std::uint32_t body) {
+    const auto owner = std::uint32_t(bodies_.owner(body));
+    if (owner == t) return body;
+    outgoing_[tile.first_outgoing + (slot - tile.first_foreign)] = {body, std::uint32_t(slot)};
+    tile.reached.push_back(owner);
+    return std::uint32_t(slot++);
+  };
+  for (std::size_t k = tile.first_block; k < tile.last_block; ++k) {
+    const PairBlock& block = blocks_[k];
+    const bool planes_of_block = contacts.groups()[block.group].planes;
+    const std::size_t end = block.begin + block.pairs;
+    for (std::size_t p = block.begin; p < end; ++p) {
+      slot_a_[p] = slot_of(contacts.a[p]);
+      slot_b_[p] = planes_of_block ? std::uint32_t(tile.first_own + contacts.b[p]) : slot_of(contacts.b[p]);
+    }
+    for (std::size_t p = end; p < block.begin + block.count; ++p)
+      slot_a_[p] = slot_b_[p] = std::uint32_t(tile.first_own + planes);
   }
+  tile.reached.push_back(t);
+  std::sort(tile.reached.begin(), tile.reached.end());
+  tile.reached.erase(std::unique(tile.reached.begin(), tile.reached.end()), tile.reached.end());
 }
 
 // In the order in which they are read.
-void Tiles::list_foreign_bodies(const Contacts& contacts) {
-  if (!exceed_caches()) return;
-  std::vector<std::uint32_t> listed_by(bodies_.size(), std::uint32_t(tiles_.size()));
-  for (std::uint32_t t = 0; t < tiles_.size(); ++t)
-    for (const PairGroup& group : contacts.groups()) {
-      if (group.planes || group.runs.empty()) continue;
-      for (std::size_t p = group.runs[t].crossing; p < group.runs[t].end; ++p)
-        for (const std::uint32_t body : {contacts.a[p], contacts.b[p]}) {
-          if (bodies_.owner(body) == t || listed_by[body] == t) continue;
-          listed_by[body] = t;
-          tiles_[t].foreign.push_back(body);
-        }
-    }
+void Tiles::list_foreign_bodies(std::uint32_t t) {
+  Tile& tile = tiles_[t];
+  std::vector<Incoming> first_read(
+      outgoing_.begin() + std::ptrdiff_t(tile.first_outgoing),
+      outgoing_.begin() + std::ptrdiff_t(tile.first_outgoing + tile.last_foreign - tile.first_foreign));
+  const auto by_body = [](const Incoming& p, const Incoming& q) {
+    return p.body != q.body ? p.body < q.body : p.slot < q.slot;
+  };
+  std::sort(first_read.begin(), first_read.end(), by_body);
+  first_read.erase(std::unique(first_read.begin(), first_read.end(),
+                               [](const Incoming& p, const Incoming& q) { return p.body == q.body; }),
+                   first_read.end());
+  std::sort(first_read.begin(), first_read.end(),
+            [](const Incoming& p, const Incoming& q) { return p.slot < q.slot; });
+  for (const Incoming& read : first_read) tile.foreign.push_back(read.body);
 }
 
 void Tiles::sort_incoming() {
@@ -97,17 +98,18 @@ void Tiles::sort_incoming() {
       [&](const Incoming& in, std::size_t index) { incoming_[index] = in; });
 }
 
-void Tiles::plan(const Contacts& contacts, std::size_t planes) {
+void Tiles::plan(const Contacts& contacts, std::size_t planes, ThreadPool& threads) {
   tiles_.assign(bodies_.count(), {});
-  blocks_.clear(), outgoing_.clear();
-  slots_ = bodies_.size();
-  for (std::size_t t = 0; t < tiles_.size(); ++t) {
-    cut_blocks(contacts, std::uint32_t(t));
-  }
-  assign_slots(contacts, planes);
+  blocks_.clear();
+  for (std::uint32_t t = 0; t < tiles_.size(); ++t) cut_blocks(contacts, t);
+  count_slots(contacts, planes);
+  threads.each(tiles_.size(), [&](std::size_t t, unsigned) {
+    assign_slots(contacts, planes, std::uint32_t(t));
+    if (exceed_caches()) list_foreign_bodies(std::uint32_t(t));
+  });
+  for (const Tile& tile : tiles_)
+    for (const std::uint32_t other : tile.reached) ++tiles_[other].reached_by;
   sort_incoming();
-  find_reached_tiles();
-  list_foreign_bodies(contacts);
 }
 
 }  // namespace scree::kernel

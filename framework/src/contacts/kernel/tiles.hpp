@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <scree/column.hpp>
+#include <scree/thread_pool.hpp>
 
 namespace scree::kernel {
 
@@ -34,6 +35,7 @@ class Tiles {
     std::size_t first_block, last_block;      // [first, last)
     std::size_t first_foreign, last_foreign;  // slots written for other tiles
     std::size_t first_own;                    // slots of planes and padding
+    std::size_t first_outgoing;               // of the slots for other tiles, counted over all tiles
     std::vector<std::uint32_t> foreign;       // bodies of other tiles that it reads, if exceed_caches()
     std::vector<std::uint32_t> reached;       // tiles whose bodies its pairs read and load, itself included
     std::uint32_t reached_by = 0;             // number of tiles that reach it, itself included
@@ -42,7 +44,7 @@ class Tiles {
   explicit Tiles(std::size_t bodies = 0) : bodies_(bodies) {}
 
   // Divides the pairs into blocks and assigns slots; must be called after each neighbour search.
-  void plan(const Contacts& contacts, std::size_t planes);
+  void plan(const Contacts& contacts, std::size_t planes, ThreadPool& threads);
 
   const BodyTiles& bodies() const { return bodies_; }
 
@@ -65,9 +67,9 @@ class Tiles {
   static constexpr std::size_t tiles_in_cache = 16;
 
   void cut_blocks(const Contacts& contacts, std::uint32_t tile);
-  void assign_slots(const Contacts& contacts, std::size_t planes);
-  void find_reached_tiles();
-  void list_foreign_bodies(const Contacts& contacts);
+  void count_slots(const Contacts& contacts, std::size_t planes);
+  void assign_slots(const Contacts& contacts, std::size_t planes, std::uint32_t tile);
+  void list_foreign_bodies(std::uint32_t tile);
   void sort_incoming();
 
   BodyTiles bodies_;
