@@ -1,0 +1,87 @@
+#include "bodies/counting_sort.hpp"
+#include "contacts/contacts.hpp"
+
+#include <algorithm>
+#include <utility>
+
+// Pairs by the places of their bodies in memory, and by their numbers.
+namespace scree {
+
+void Contacts::rearrange(const std::vector<std::uint32_t>& from) {
+  const std::vector<std::uint32_t> to = inverse_of(from);
+  const Column<std::uint32_t> old_a = std::exchange(a, {}), old_b = std::exchange(b, {});
+  const Column<std::uint8_t> old_image = std::exchange(image, {});
+  for (PairGroup& group : groups_) {
+    std::vector<Listed> pairs;
+    pairs.reserve(group.pairs);
+    group.each_pair([&](std::size_t q) {
+      pairs.push_back({to[old_a[q]], group.planes ? old_b[q] : to[old_b[q]], old_image[q],
+                       std::uint32_t(q - group.begin)});
+    });
+    const PairColumns history = std::exchange(group.history, {});
+    const std::vector<PairColumns::Move> rows = fill_unsorted(group, pairs);
+    group.history.take(history, rows);
+  }
+  ++revision_;
+}
+
+double Contacts::crossing_share() const {
+  double pairs = 0, crossing = 0;
+  for (const PairGroup& group : groups_) {
+    if (group.planes) continue;
+    pairs += double(group.pairs);
+    for (const PairRun& run : group.runs) crossing += double(run.end - run.crossing);
+  }
+  return pairs > 0 ? crossing / pairs : 0;
+}
+
+double Contacts::crossing_share(const std::vector<std::uint32_t>& from) const {
+  std::vector<std::uint32_t> tile(from.size());
+  for (std::size_t place = 0; place < from.size(); ++place)
+    tile[from[place]] = std::uint32_t(tiles_.owner(place));
+  double pairs = 0, crossing = 0;
+  for (const PairGroup& group : groups_) {
+    if (group.planes) continue;
+    pairs += double(group.pairs);
+    group.each_pair([&](std::size_t q) { crossing += tile[a[q]] != tile[b[q]]; });
+  }
+  return pairs > 0 ? crossing / pairs : 0;
+}
+
+std::vector<std::size_t> Contacts::in_scene_order(const PairGroup& group, const BodyOrder& order) const {
+  std::vector<std::size_t> pairs(group.pairs);
+  if (group.pairs == 0) return pairs;
+  std::vector<std::uint32_t> first;
+  counting_sort(
+      tiles_.size() + 1, first, [&](const auto& visit) { group.each_pair(visit); },
+      [&](std::size_t q) { return tiles_.count() == 1 && !order.rearranged() ? 0 : order.number(a[q]); },
+      [&](std::size_t q, std::size_t index) { pairs[index] = q; });
+  const auto second = [&](std::size_t q) { return group.planes ? b[q] : order.number(b[q]); };
+  if (tiles_.count() == 1 && !order.rearranged()) return pairs;
+  for (std::size_t k = 0; k + 1 < first.size(); ++k)
+    std::sort(pairs.begin() + first[k], pairs.begin() + first[k + 1],
+              [&](std::size_t p, std::size_t q) { return second(p) < second(q); });
+  return pairs;
+}
+
+Contacts::Place Contacts::find(bool plane, std::uint32_t first, std::uint32_t second,
+                               const BodyOrder& order) {
+  const std::uint32_t one = order.place(first), other = plane ? second : order.place(second);
+  const std::uint64_t wanted = place_key(plane, one, other);
+  const std::size_t tile = tiles_.owner(plane ? one : std::min(one, other));
+  const bool crosses = !plane && tiles_.owner(std::max(one, other)) != tile;
+  for (PairGroup& group : groups_) {
+    if (group.planes != plane || group.runs.empty()) continue;
+    const PairRun& run = group.runs[tile];
+    const std::size_t end = crosses ? run.end : run.crossing;
+    std::size_t low = crosses ? run.crossing : run.begin, high = end;
+    while (low < high) {
+      const std::size_t middle = (low + high) / 2;
+      place_key(plane, a[middle], b[middle]) < wanted ? low = middle + 1 : high = middle;
+    }
+    if (low < end && place_key(plane, a[low], b[low]) == wanted) return {&group, low - group.begin};
+  }
+  return {nullptr, 0};
+}
+
+}  // namespace scree
