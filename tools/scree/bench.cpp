@@ -101,6 +101,7 @@ BenchResult time_steps(const scenario::Plan& plan, const BenchOptions& options) 
   const Footprint footprint = s.footprint();
   r.bytes_per_particle = footprint.bytes_per_body;
   r.bytes_per_contact = footprint.bytes_per_pair;
+  r.listed_pairs = footprint.listed_pairs;
   r.crossing_share = footprint.crossing_share;
   return r;
 }

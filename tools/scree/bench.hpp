@@ -21,12 +21,13 @@ struct BenchOptions {
 // What one benchmark came to.
 struct BenchResult {
   std::size_t particles, contacts, bytes_per_particle, bytes_per_contact;  // at the end
-  double crossing_share;                                                   // the same, see Footprint
-  std::uint64_t steps;                                                     // of a repeat
-  double first_time;                                                       // (s) in the scene
-  std::vector<double> s_per_step;                                          // of each repeat
-  Profile profile;                                                         // of one more repeat
-  std::uint64_t searches;                                                  // for neighbours, in that
+  std::size_t listed_pairs;                                                // the same, see Footprint
+  double crossing_share;
+  std::uint64_t steps;             // of a repeat
+  double first_time;               // (s) in the scene
+  std::vector<double> s_per_step;  // of each repeat
+  Profile profile;                 // of one more repeat
+  std::uint64_t searches;          // for neighbours, in that
 
   double median() const;
 };

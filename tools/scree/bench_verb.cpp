@@ -76,7 +76,7 @@ std::string csv_header() {
   std::string header =
       "version,scene,particles,contacts,threads,time,steps,repeats,s_per_step,s_per_step_fastest,"
       "s_per_step_slowest,particle_steps_per_second,ns_per_contact,bytes_per_particle,bytes_per_contact,"
-      "crossing_share,searches";
+      "listed_pairs,crossing_share,searches";
   for (const char* name : Profile::names) header += fmt::format(",{}_s", name);
   return header;
 }
@@ -113,7 +113,8 @@ std::string csv_row(const std::string& scene, unsigned threads, const BenchResul
   add(r.particles), add(r.contacts), add(threads), add(r.first_time), add(r.steps), add(r.s_per_step.size());
   add(r.median()), add(*fastest), add(*slowest), add(double(r.particles) / r.median());
   cells.push_back(files::csv_number(ns_per_contact(r)));
-  add(r.bytes_per_particle), add(r.bytes_per_contact), add(r.crossing_share);
+  add(r.bytes_per_particle), add(r.bytes_per_contact);
+  add(r.listed_pairs), add(r.crossing_share);
   add(r.searches);
   for (int k = 0; k < Profile::phase_count; ++k) add(r.profile.seconds(Profile::Phase(k)) / double(r.steps));
   return files::csv_line(cells);

@@ -27,6 +27,7 @@ struct SimulationParts;
 struct Footprint {
   std::size_t degrees_of_freedom, fixed_bodies, held_bodies, bytes_per_body, bytes_per_pair;  // held: in part
   std::uint32_t history_width;  // history columns per pair, the most of any law
+  std::size_t listed_pairs;     // of bodies, and of bodies and planes
   double crossing_share;        // of the listed pairs of bodies, those between two tiles, which take longer
 };
 

@@ -84,6 +84,8 @@ class Contacts {
   // After bodies have been moved in memory: each place has taken the body at the place `from[place]`.
   void rearrange(const std::vector<std::uint32_t>& from);
 
+  // Number of pairs without padding.
+  std::size_t listed() const;
   // Share of the pairs of bodies whose bodies are in different tiles: now, or if the bodies were rearranged.
   double crossing_share() const;
   double crossing_share(const std::vector<std::uint32_t>& from) const;

@@ -25,6 +25,12 @@ void Contacts::rearrange(const std::vector<std::uint32_t>& from) {
   ++revision_;
 }
 
+std::size_t Contacts::listed() const {
+  std::size_t pairs = 0;
+  for (const PairGroup& group : groups_) pairs += group.pairs;
+  return pairs;
+}
+
 double Contacts::crossing_share() const {
   double pairs = 0, crossing = 0;
   for (const PairGroup& group : groups_) {

@@ -314,6 +314,7 @@ Footprint Simulation::footprint() const {
           .bytes_per_body = p.bytes_per_body(),
           .bytes_per_pair = parts_->forces.bytes_per_pair() + width * sizeof(double),
           .history_width = width,
+          .listed_pairs = parts_->contacts.listed(),
           .crossing_share = parts_->contacts.crossing_share()};
 }
 

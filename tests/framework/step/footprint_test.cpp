@@ -71,6 +71,7 @@ void check(const Carries& c) {
   const std::size_t records = 4 + (spin && !flat ? 3 : 0), images = c.periodic ? dimension : 0;
   CHECK(footprint.bytes_per_body == 32 * records + (spin ? 16 : 8) + 4 * images + 8 + 4);
   // A spring component per axis, and the sliding state.
+  CHECK(footprint.listed_pairs == 2);
   CHECK(footprint.history_width == (c.friction ? dimension + 1 : 0));
   // Two bodies, an image, a slot for each of the bodies at 4 bytes; force, sum of the radii, and the root of
   // the reduced mass, which the law reads.
