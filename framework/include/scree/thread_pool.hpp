@@ -72,10 +72,11 @@ class ThreadPool {
   const void* task_ = nullptr;
   std::size_t count_ = 0, capacity_ = 0;
   std::unique_ptr<std::atomic<std::uint64_t>[]> claimed_;  // round in which each item was last claimed
-  std::atomic<std::uint64_t> round_ = 0;                   // number of rounds; workers wait for the next
-  std::atomic<std::uint64_t> open_ = 0;                    // the current round, 0 between rounds
-  std::atomic<std::uint64_t> active_ = 0;                  // workers inside a round, without the caller
-  std::atomic<bool> stop_ = false;
+  // Apart: workers that begin or end a round write `active_` while others read the rest.
+  alignas(64) std::atomic<std::uint64_t> round_ = 0;   // number of rounds; workers wait for the next
+  std::atomic<std::uint64_t> open_ = 0;                // the current round, 0 between rounds
+  alignas(64) std::atomic<std::uint64_t> active_ = 0;  // workers inside a round, without the caller
+  alignas(64) std::atomic<bool> stop_ = false;
   std::atomic<bool> failed_ = false;
   std::exception_ptr error_;  // of the round, set by the thread that set failed_
 };

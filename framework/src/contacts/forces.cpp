@@ -21,7 +21,7 @@ struct Forces::Work {
   kernel::Tiles tiles;
   kernel::PlaneRecords planes;
   PairConstants constants;
-  std::vector<ContactSums> block_sums;
+  std::vector<ContactSums> tile_sums;
   TileSchedule schedule;
   double max_overlap_ratio = 0;  // largest so far
 };
@@ -36,21 +36,6 @@ std::array<double, 4 * 27> image_shifts(const Domain& domain) {
   for (std::size_t code = 0; code < 27; ++code)
     for (int k = 0; k < 3; ++k) shifts[4 * code + std::size_t(k)] = domain.shift(std::uint8_t(code))[k];
   return shifts;
-}
-
-// Sum over the blocks of a tile in order.
-ContactSums add_up(const kernel::Tiles::Tile& tile, const std::vector<ContactSums>& blocks) {
-  ContactSums total;
-  for (std::size_t k = tile.first_block; k < tile.last_block; ++k) total += blocks[k];
-  return total;
-}
-
-ContactSums add_up(const std::vector<kernel::Tiles::Tile>& tiles, const std::vector<ContactSums>& blocks) {
-  if (tiles.size() == 1) return add_up(tiles[0], blocks);
-  std::vector<ContactSums> sums;
-  sums.reserve(tiles.size());
-  for (const kernel::Tiles::Tile& tile : tiles) sums.push_back(add_up(tile, blocks));
-  return total_of(sums);
 }
 
 }  // namespace
@@ -71,7 +56,7 @@ void Forces::update_pairs(Particles& particles, const Contacts& contacts, std::u
   work.tiles.plan(contacts, planes, threads);
   work.constants.update(contacts, particles, reads, features_.pair_forces, threads);
   particles.set_load_rows(work.tiles.slots());
-  work.block_sums.resize(work.tiles.blocks().size());
+  work.tile_sums.resize(work.tiles.tiles().size());
 }
 
 void Forces::clear(Particles& particles, BodyRange bodies) {
@@ -110,7 +95,7 @@ ContactSums Forces::evaluate(const Evaluation& e, ThreadPool& threads, const Fin
                        .laws = e.laws.data(),
                        .constants = &work.constants,
                        .slots = e.particles.loads(),
-                       .sums = work.block_sums.data(),
+                       .sums = work.tile_sums.data(),
                        .profile = worker == 0 ? profile : nullptr});
       },
       [&](std::size_t part, unsigned worker) {
@@ -120,7 +105,7 @@ ContactSums Forces::evaluate(const Evaluation& e, ThreadPool& threads, const Fin
         finish_part(part, worker);
       });
   sum_loads(e.particles, e.loads);
-  ContactSums sums = add_up(work.tiles.tiles(), work.block_sums);
+  ContactSums sums = work.tile_sums.size() == 1 ? work.tile_sums[0] : total_of(work.tile_sums);
   work.max_overlap_ratio = sums.max_overlap_ratio = std::max(work.max_overlap_ratio, sums.max_overlap_ratio);
   return sums;
 }

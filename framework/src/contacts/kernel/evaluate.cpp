@@ -39,8 +39,8 @@ SCREE_HOT void gather_and_prefetch(const BlockTask& task, BlockColumns& block) {
 }
 
 template <int D, bool spin, bool planes>
-SCREE_HOT ContactSums evaluate_block(const BlockTask& task, BlockColumns& block, BodiesAhead<D, spin>& bodies,
-                                     double& largest_ratio) {
+SCREE_HOT void evaluate_block(const BlockTask& task, BlockColumns& block, BodiesAhead<D, spin>& bodies,
+                              ContactSums& sums) {
   assert_layout(task);
   Laps laps(task.tile.profile);
   bodies.prefetch();
@@ -56,10 +56,10 @@ SCREE_HOT ContactSums evaluate_block(const BlockTask& task, BlockColumns& block,
   laps.lap(Profile::law);
   bodies.prefetch();
   scatter<D, spin, planes>(task, block);
-  largest_ratio = largest_overlap_ratio<planes>(task.radius_sum, task.padded(), block, largest_ratio);
-  const ContactSums sums = task.tile.input->audit ? sum_block(block, task.padded()) : ContactSums();
+  sums.max_overlap_ratio =
+      largest_overlap_ratio<planes>(task.radius_sum, task.padded(), block, sums.max_overlap_ratio);
+  if (task.tile.input->audit) sums += sum_block(block, task.padded());
   laps.lap(Profile::reduce);
-  return sums;
 }
 
 template <int D, bool spin>
@@ -73,13 +73,14 @@ SCREE_HOT void evaluate_tile(const TileJob& job) {
   BlockColumns work;
   begin_batch(*job.input, work);
   BodiesAhead<D, spin> bodies(job, phases * (tile.last_block - tile.first_block));
-  double largest_ratio = job.input->max_overlap_ratio;
+  ContactSums sums;
+  sums.max_overlap_ratio = job.input->max_overlap_ratio;
   for (std::size_t k = tile.first_block; k < tile.last_block; ++k) {
     const BlockTask task = block_task(job, job.tiles->blocks()[k]);
-    job.sums[k] = task.group.planes ? evaluate_block<D, spin, true>(task, work, bodies, largest_ratio)
-                                    : evaluate_block<D, spin, false>(task, work, bodies, largest_ratio);
-    job.sums[k].max_overlap_ratio = largest_ratio;
+    task.group.planes ? evaluate_block<D, spin, true>(task, work, bodies, sums)
+                      : evaluate_block<D, spin, false>(task, work, bodies, sums);
   }
+  job.sums[job.tile] = sums;
 }
 
 template <int D, bool spin>

@@ -16,7 +16,7 @@ struct TileJob {
   const LawInstance* laws;
   PairConstants* constants;
   double* slots;      // (slots, load width) loads
-  ContactSums* sums;  // of each block
+  ContactSums* sums;  // of each tile
   Profile* profile;   // null: not measured
 };
 
