@@ -87,6 +87,7 @@ struct Kernel : HertzMindlin {
       (form == potential ? scree::reads_effective_radius : 0u);
   static constexpr bool tangential = frictional || rolling;
   static constexpr bool writes_couple = rolling;
+  static constexpr bool follows_backwards = frictional;
 
   template <int D, class T>
   struct Friction {
@@ -120,10 +121,11 @@ struct Kernel : HertzMindlin {
  private:
   // Mean of k_t over a step / k_t at its end, for k_t ∝ √δ with δ growing linearly, where g = `growth` is k_t
   // at the start / k_t at the end: (2/3)(1 + g + g²)/(1 + g), approximated to 0.01 at g = 0.4 and better
-  // elsewhere; exact to second order at 0 and 1.
+  // elsewhere; exact to second order at 0 and 1. Backwards in time, g > 1: exact to first order at 1.
   template <class T>
-  static T mean_stiffness(const T& growth) {
+  static T mean_stiffness(const T& growth, bool backwards) {
     using scree::fused;
+    if (backwards) return fused(T(0.5), growth, T(0.5));
     return fused(growth * growth, fused(T(-1.0 / 6), growth, T(0.5)), T(2.0 / 3));
   }
 
@@ -135,12 +137,14 @@ struct Kernel : HertzMindlin {
     const T inverse_k_t = T(along_normal.inverse_shear_stiffness) * c.contact_radius.inverse;
     const T gamma_t = normal::Hertz::damping_weight(c) * T(along_normal.tangential_damping);
 
-    // While the contact grows, the rescaled form keeps the tangential force: ξ shrinks as k_t grows.
+    // While the contact grows, the rescaled form keeps the tangential force: ξ shrinks as k_t grows. A step
+    // backwards in time undoes this where the contact had grown.
     T growth = T(1), mean = T(1);
     Vec<D, T> displaced = h.spring + c.tangential_increment;
     if constexpr (form == rescaled) {
-      growth = std::min(h.contact_radius() * c.contact_radius.inverse, T(1));
-      mean = mean_stiffness(growth);
+      const T ratio = h.contact_radius() * c.contact_radius.inverse;
+      growth = c.backwards ? std::max(ratio, T(1)) : std::min(ratio, T(1));
+      mean = mean_stiffness(growth, c.backwards);
       displaced = fused(mean, c.tangential_increment, growth * h.spring);
     }
     const Vec<D, T> trial = tangential_part(displaced, c.normal);
@@ -152,7 +156,8 @@ struct Kernel : HertzMindlin {
                                         .delay = gamma_t * inverse_k_t,
                                         .step = c.step,
                                         .limit = limit,
-                                        .sliding_limit = limit};
+                                        .sliding_limit = limit,
+                                        .returns = c.backwards && h.signed_contact_radius > T(0)};
     const scree::Slip<D, T> slip = scree::slide_or_stick(step);
     const Friction<D, T> before = h;
     h.spring = slip.spring;
@@ -164,7 +169,7 @@ struct Kernel : HertzMindlin {
     out.force = fused(normal_force, c.normal, slip.force);
     out.elastic_tangential = stored_energy(h);
     out.dissipation_rate_tangential = -dot(fused(k_t, h.spring, slip.force), v_t);
-    add_dissipation(before, h, trial, growth, mean, k_t, out);
+    add_dissipation(before, h, trial, growth, mean, k_t, c.backwards, out);
   }
 
   // Energy that slip and changes of k_t take from the spring, such that the balance with the work of the mean
@@ -172,11 +177,12 @@ struct Kernel : HertzMindlin {
   // where a spring reverses within the step; they are set to 0 there.
   template <int D, class T>
   void add_dissipation(const Friction<D, T>& before, const Friction<D, T>& after, const Vec<D, T>& trial,
-                       const T& growth, const T& mean, const T& k_t,
+                       const T& growth, const T& mean, const T& k_t, bool backwards,
                        LawOutput<D, T, writes_couple>& out) const {
     const T k_before = along_normal.tangential_stiffness(before.contact_radius()), inverse_mean = T(1) / mean;
     const Vec<D, T> mean_force = T(0.5) * (k_before * before.spring + k_t * after.spring);
-    out.dissipated_friction = std::max(dot(mean_force, trial - after.spring), T(0)) * inverse_mean;
+    const T slipped = dot(mean_force, trial - after.spring);  // (J) below 0 where slip is undone
+    out.dissipated_friction = (backwards ? slipped : std::max(slipped, T(0))) * inverse_mean;
     if constexpr (form == potential) return;
     const T falls = k_before - growth * k_t;
     out.dissipated_release = T(0.5) * falls * std::max(dot(before.spring, after.spring), T(0));

@@ -107,6 +107,7 @@ struct Kernel : LinearSpringDashpot {
                : 0u);
   static constexpr bool tangential = frictional || rolling;
   static constexpr bool writes_couple = rolling;
+  static constexpr bool follows_backwards = frictional && friction != Friction::total;
 
   template <int D, class T>
   struct Spring {
@@ -162,7 +163,8 @@ struct Kernel : LinearSpringDashpot {
             .delay = weight * T(tangent.damping * tangent.inverse_stiffness),
             .step = c.step,
             .limit = h.sliding > T(0) ? sliding_limit : T(tangent.static_friction) * f_n,
-            .sliding_limit = sliding_limit};
+            .sliding_limit = sliding_limit,
+            .returns = c.backwards && h.sliding > T(0)};
   }
 
   // Stores spring and force. Returns the mean of the spring forces before and after the step.
@@ -197,7 +199,7 @@ struct Kernel : LinearSpringDashpot {
       out.force += result.begun;
       friction_work -= c.kick * dot(result.begun, v_t);
     }
-    out.dissipated_friction = std::max(friction_work, T(0));
+    out.dissipated_friction = c.backwards ? friction_work : std::max(friction_work, T(0));
   }
 
   template <int D, class T>

@@ -92,6 +92,7 @@ struct Frictional : Frictionless<kind, by_restitution> {
       (kind == Normal::hertz ? scree::reads_effective_radius : 0u);
   static constexpr bool tangential = true;
   static constexpr bool writes_couple = true;
+  static constexpr bool follows_backwards = true;
 
   template <int D, class T>
   struct History {
@@ -160,7 +161,7 @@ struct Frictional : Frictionless<kind, by_restitution> {
     const Vec<D, T> mean_force = T(0.5) * fused(stiffness_before, before, step.stiffness * slip.spring);
     T friction_work = dot(mean_force, without_slip - slip.spring);
     if constexpr (falls) friction_work -= c.kick * dot(result.begun, rate);
-    out.dissipated_friction = std::max(friction_work, T(0));
+    out.dissipated_friction = c.backwards ? friction_work : std::max(friction_work, T(0));
   }
 
  private:
@@ -202,7 +203,8 @@ struct Frictional : Frictionless<kind, by_restitution> {
             .step = c.step,
             .limit = h.state > T(0) ? sliding_limit : T(this->friction) * repulsive,
             .sliding_limit = sliding_limit,
-            .stretching = stretching};
+            .stretching = stretching,
+            .returns = c.backwards && h.state > T(0)};
   }
 
   // Paints the points at their shares; those that stay keep their bits, unless they are painted anew.

@@ -15,8 +15,8 @@ constexpr IntegrationTraits all_integrations[] = {
     {Integration::position_verlet, "position_verlet",
      "order 2, symplectic, forces at mid-step; otherwise as velocity Verlet", 1, 1},
     {Integration::fourth_order, "fourth_order",
-     "order 4, symplectic (Suzuki), for elastic motion without friction; dashpots reduce it to 2, contact onset "
-     "with a dashpot and friction to 1, since the third substep goes backwards in time",
+     "order 4, symplectic (Suzuki), for elastic motion without friction; dashpots and friction reduce it to 2, "
+     "contact onset with a dashpot to 1, since the third substep goes backwards in time",
      5, 1.35},
     {Integration::predictor_corrector, "predictor_corrector",
      "order 4 (Gear) in smooth motion, 2 at the start and through contacts; "

@@ -280,7 +280,6 @@ TEST_CASE("a disc that must not turn slides to rest as a block, and one that is 
           "[driven]") {
   const double braking = 0.3 * 9.81, t = 0.2;
   for (const Integration integration : integrators) {
-    if (integration == Integration::fourth_order) continue;  // of order 1 with friction
     Simulation block(sliding_disc(integration, bit(5), {{1, 0, 0}}, 0)),
         roller(sliding_disc(integration, bit(5), {}, -40));
     for (Simulation* s : {&block, &roller}) s->run(2000, [] { return true; });

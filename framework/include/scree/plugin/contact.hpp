@@ -44,6 +44,7 @@ struct Contact {
   T overlap;                                  // (m) > 0
   T step;                                     // (s) negative in a substep backwards in time
   T kick;                                     // (s) for which the force acts; 0: evaluated without motion
+  bool backwards;                             // step < 0, of kernels with `follows_backwards`; else false
   // (m/s) of the contact points, a minus b, at the end of the step
   Input<reads, SCREE_RELATIVE_VELOCITY, Vector> relative_velocity;
   // (m) displacement of a's contact point relative to b's while touching in this step, perpendicular to the

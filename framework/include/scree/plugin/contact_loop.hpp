@@ -83,9 +83,16 @@ class KeepIf {
   std::uint64_t mask_;
 };
 
+// Whether a kernel tells steps backwards in time from others (Contact::backwards). It is compiled for either
+// direction, so that steps forwards pay nothing.
+template <class Kernel>
+inline constexpr bool follows_backwards = requires {
+  requires Kernel::follows_backwards;
+};
+
 // Flattened, because the loop vectorises only when the author's functions are inlined completely; not inlined
 // itself, so that a test can find it in the machine code.
-template <class Parameters, class Kernel, int D, bool audit>
+template <class Parameters, class Kernel, int D, bool audit, bool backwards>
 [[gnu::flatten, gnu::noinline]] void evaluate_batch(const Parameters& parameters,
                                                     const scree_contact_batch& shared) {
   using History = typename Kernel::template History<D, double>;
@@ -97,8 +104,8 @@ template <class Parameters, class Kernel, int D, bool audit>
   const double step = batch.step, kick = batch.kick;
 #pragma GCC ivdep
   for (std::uint32_t i = 0; i < count; ++i) {
-    const auto contact =
-        load_contact<Kernel, D>([&](std::uint32_t k) { return batch.input[k][i]; }, step, kick);
+    auto contact = load_contact<Kernel, D>([&](std::uint32_t k) { return batch.input[k][i]; }, step, kick);
+    contact.backwards = backwards;
     History history{};
     each_component<width, double>(history,
                                   [&](std::uint32_t k, double& value) { value = batch.history[k][i]; });
@@ -126,13 +133,21 @@ template <class Parameters, class Kernel, int D, bool audit>
   }
 }
 
+template <class Parameters, class Kernel, int D, bool audit>
+void evaluate_either_way(const Parameters& parameters, const scree_contact_batch& batch) {
+  if constexpr (follows_backwards<Kernel>) {
+    if (batch.step < 0) return evaluate_batch<Parameters, Kernel, D, audit, true>(parameters, batch);
+  }
+  evaluate_batch<Parameters, Kernel, D, audit, false>(parameters, batch);
+}
+
 template <class Parameters, class Kernel, int D>
 void evaluate_contacts(const void* storage, const scree_contact_batch* batch) {
   const Parameters& parameters = *static_cast<const Parameters*>(storage);
   if (batch->output[SCREE_ELASTIC_NORMAL])
-    evaluate_batch<Parameters, Kernel, D, true>(parameters, *batch);
+    evaluate_either_way<Parameters, Kernel, D, true>(parameters, *batch);
   else
-    evaluate_batch<Parameters, Kernel, D, false>(parameters, *batch);
+    evaluate_either_way<Parameters, Kernel, D, false>(parameters, *batch);
 }
 
 }  // namespace scree::detail

@@ -95,7 +95,7 @@ inline FallingSlip<D, T> slide_or_stick(const FallingLimit<D, T>& in) {
   const T limit = (begin.slid | begin.begins) ? step.sliding_limit : held_limit;
   Slip<D, T> slip = slide_or_stick<damped>(SlipStep<D, T>{fallen, step.stiffness, step.inverse_stiffness,
                                                           step.velocity, step.delay, step.step, limit,
-                                                          step.sliding_limit, step.stretching});
+                                                          step.sliding_limit, step.stretching, step.returns});
   const bool sticks = !slip.slides;  // also where the spring has fallen and not slipped after that
   slip.slides = begin.begins | !sticks;
   const T before_middle = (begin.begins & in.moving) ? T(0.5) - begin.theta : T(0);

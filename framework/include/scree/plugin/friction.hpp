@@ -35,7 +35,22 @@ struct SlipStep {
   // ξ′ + s at the end of the step (m/s): v_t, unless the spring stretches at another velocity than its
   // dashpot.
   const Vec<D, T>& stretching = velocity;
+  // Whether the step goes backwards in time from where the contact slides.
+  bool returns = false;
 };
+
+// Direction of a spring that returns through slip: kept ξ + turned (ξ′ + s), of `length` L.
+template <class T>
+struct Returned {
+  T kept, turned, length;
+};
+template <int D, class T>
+inline Returned<T> returned(const SlipStep<D, T>& in, const T& square) {
+  const T moved = in.step * dot(in.stretching, in.trial_spring);  // h v·ξ
+  const T moved_square = in.step * in.step * dot(in.stretching, in.stretching);
+  const T along = moved - moved_square, later_square = square - moved - along;  // h v·b, b²
+  return {later_square - along, in.step * along, later_square};
+}
 
 // Returns spring and force after slip. The slip direction turns within the step, from the direction of the
 // old spring towards ξ′ + s: a radial return of the trial spring ξ alone lags by half a step. To second order
@@ -44,22 +59,28 @@ struct SlipStep {
 // the code computes 4 L² p, which saves a division. The total force is along
 //   k ξ + γ v_t = (C/|p|) (p + |p| γ/C v_t),   |p| = ½ L (1 + ξ²/L²) to second order,
 // which avoids waiting for the square root. damped = false: compiled without the dashpot.
+//
+// Backwards in time a slipping spring does not let go but stays at the limit, that of the earlier time. To
+// second order its direction there is that of b + h (v − (v·b)/b² b), v = ξ′ + s, with b = ξ − h v the spring
+// at the later time and h < 0; the code computes b² times that.
 template <bool damped = true, int D, class T>
 inline Slip<D, T> slide_or_stick(const SlipStep<D, T>& in) {
   const T longest = in.limit * in.inverse_stiffness, square = dot(in.trial_spring, in.trial_spring);
-  const bool slides = square > longest * longest;
+  const bool slides = (square > longest * longest) | in.returns;
   const T sliding_longest = in.sliding_limit * in.inverse_stiffness;  // L
   const T longest_square = sliding_longest * sliding_longest;
-
-  const T kept = slides ? T(4) * longest_square : T(1);
-  const T turned = slides ? in.step * (square - longest_square) : T(0);
+  const Returned<T> back = returned(in, square);
+  const T kept = in.returns ? back.kept : slides ? T(4) * longest_square : T(1);
+  const T turned = in.returns ? back.turned : slides ? in.step * (square - longest_square) : T(0);
   const Vec<D, T> direction = fused(turned, in.stretching, kept * in.trial_spring);
   const T shortening = sliding_longest * inverse_sqrt(dot(direction, direction));
   const T share = slides ? shortening : T(1), whole = in.stiffness * share;
   if constexpr (!damped) return {share * direction, -whole * direction, slides};
 
   const T limit = slides ? in.sliding_limit : in.limit;
-  const T length = slides ? T(2) * (square + longest_square) : T(1);  // |direction|/L
+  const T length = in.returns ? back.length
+                   : slides   ? T(2) * (square + longest_square)
+                              : T(1);  // |direction|/L
   const Vec<D, T> along = fused(in.delay * length, in.velocity, direction);
   const T along_square = dot(along, along), limiting = limit * inverse_sqrt(along_square);
   const bool limited = whole * whole * along_square > limit * limit;

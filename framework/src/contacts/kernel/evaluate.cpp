@@ -58,7 +58,7 @@ SCREE_HOT void evaluate_block(const BlockTask& task, BlockColumns& block, Bodies
   scatter<D, spin, planes>(task, block);
   sums.max_overlap_ratio =
       largest_overlap_ratio<planes>(task.radius_sum, task.padded(), block, sums.max_overlap_ratio);
-  if (task.tile.input->audit) sums += sum_block(block, task.padded());
+  if (task.tile.input->audit) sums += sum_block(block, task.padded(), task.tile.input->step < 0);
   laps.lap(Profile::reduce);
 }
 

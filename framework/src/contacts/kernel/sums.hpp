@@ -43,24 +43,30 @@ SCREE_HOT double largest_overlap_ratio(const double* radius_sum, std::uint32_t p
   return largest;
 }
 
-SCREE_HOT ContactSums sum_block(const BlockColumns& block, std::uint32_t padded) {
+// backwards: of a step backwards in time, in which what was dissipated or created in a step comes back.
+SCREE_HOT ContactSums sum_block(const BlockColumns& block, std::uint32_t padded, bool backwards) {
   ContactSums sums;
   const auto stored = [&](scree_contact_output column) SCREE_INLINE_LAMBDA {
     const SignedSums all = sum_column(block.output[column], padded);
     return all.above + all.below;
   };
-  const auto dissipated = [&](scree_contact_output column, double& created) SCREE_INLINE_LAMBDA {
+  const auto dissipated_power = [&](scree_contact_output column) SCREE_INLINE_LAMBDA {
     const SignedSums all = sum_column(block.output[column], padded);
-    created -= all.below;
+    sums.created_power -= all.below;
     return all.above;
   };
   sums.elastic_normal = stored(SCREE_ELASTIC_NORMAL);
   sums.elastic_tangential = stored(SCREE_ELASTIC_TANGENTIAL);
-  sums.dissipation_rate_normal = dissipated(SCREE_DISSIPATION_RATE_NORMAL, sums.created_power);
-  sums.dissipation_rate_tangential = dissipated(SCREE_DISSIPATION_RATE_TANGENTIAL, sums.created_power);
-  sums.dissipation_rate_rolling = dissipated(SCREE_DISSIPATION_RATE_ROLLING, sums.created_power);
-  sums.dissipated_friction = dissipated(SCREE_DISSIPATED_FRICTION, sums.created);
-  sums.dissipated_release = dissipated(SCREE_DISSIPATED_RELEASE, sums.created);
+  sums.dissipation_rate_normal = dissipated_power(SCREE_DISSIPATION_RATE_NORMAL);
+  sums.dissipation_rate_tangential = dissipated_power(SCREE_DISSIPATION_RATE_TANGENTIAL);
+  sums.dissipation_rate_rolling = dissipated_power(SCREE_DISSIPATION_RATE_ROLLING);
+  const auto dissipated_in_step = [&](scree_contact_output column) SCREE_INLINE_LAMBDA {
+    const SignedSums all = sum_column(block.output[column], padded);
+    sums.created -= backwards ? all.above : all.below;
+    return backwards ? all.below : all.above;
+  };
+  sums.dissipated_friction = dissipated_in_step(SCREE_DISSIPATED_FRICTION);
+  sums.dissipated_release = dissipated_in_step(SCREE_DISSIPATED_RELEASE);
   return sums;
 }
 

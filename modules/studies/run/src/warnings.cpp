@@ -50,10 +50,9 @@ void add_integrator_warning(const Scene& scene, std::vector<std::string>& warnin
     const ConfiguredLaw law = configured(scene, k);
     if (!law.instance().tangential && closed_form(law, "restitution").value_or(1) == 1) continue;
     warnings.push_back(fmt::format(
-        "time.integrator = \"fourth_order\" takes its third substep backwards in time, in which friction and dashpots "
-        "of {} take energy as well: impacts are of first order, with about 6 times the errors of velocity_verlet "
-        "at the same step, and at any step those of hertz_mindlin with history = \"rescaled\" err by some 2 % of the "
-        "speed, up to 13 %, and those with dynamic_friction below static_friction by up to 60 %; use "
+        "time.integrator = \"fourth_order\" loses its order by friction and dashpots of {}: impacts are of second order "
+        "at most, of first order with dashpots, laws for discs, rolling resistance or slip_rule = \"total\", and err "
+        "up to 7 times as much as with velocity_verlet at the same step, for five times the evaluations; use "
         "\"velocity_verlet\"",
         scene.laws[k].name));
     return;
