@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include <scree/plugin/contact_law.hpp>
+#include <scree/plugin/first_slip.hpp>
 #include <scree/plugin/stability.hpp>
 
 namespace normal {
@@ -60,17 +61,40 @@ struct Linear {
     return n;
   }
 
-  // Without onset weight (N). by_restitution: whether the damping follows from the restitution.
+  // Without onset weight (kg/s). by_restitution: whether the damping follows from the restitution.
   template <bool by_restitution, int D, class T, std::uint32_t reads>
-  T damping_force(const scree::Contact<D, T, reads>& c) const {
-    const T v_n = dot(c.relative_velocity, c.normal);
+  T damping_coefficient(const scree::Contact<D, T, reads>& c) const {
     if constexpr (by_restitution) {
       const T gamma = T(damping_by_root_mass) * c.reduced_mass_root;
-      return scree::prediction_share(T(0.5) * c.step * c.step, T(stiffness), c.reduced_mass_root) * gamma *
-             v_n;
+      return scree::prediction_share(T(0.5) * c.step * c.step, T(stiffness), c.reduced_mass_root) * gamma;
     } else {
-      return T(damping) * v_n;
+      return T(damping);
     }
+  }
+  template <bool by_restitution, int D, class T, std::uint32_t reads>
+  T damping_force(const scree::Contact<D, T, reads>& c) const {
+    return damping_coefficient<by_restitution>(c) * dot(c.relative_velocity, c.normal);
+  }
+
+  // A sliding step under the limit μ f_n, with what that does after first touch; coefficient: see above.
+  template <int D, class T, std::uint32_t reads>
+  scree::FirstSlip<D, T> first_slip(const scree::Contact<D, T, reads>& c, const scree::SlipStep<D, T>& step,
+                                    const T& coefficient, const T& friction, const scree::Vec<D, T>& before,
+                                    const T& sliding) const {
+    const T v_n = dot(c.relative_velocity, c.normal), travel = -c.step * v_n;
+    const T pressing = std::max(scree::fused(-coefficient, v_n, T(stiffness) * c.overlap), T(0));
+    const T lost = pressing * c.step / (c.reduced_mass_root * c.reduced_mass_root);  // speed in a step (m/s)
+    const bool slides = sliding > T(0),
+               weighs_one = c.onset_weight == T(1);  // with || loops do not vectorise
+    return {.step = step,
+            .limit = friction * pressing,
+            .jump = -friction * coefficient * v_n,
+            .growth = friction * T(stiffness) * travel,
+            .slowing = friction * coefficient * lost,
+            .touching = c.overlap / std::max(travel, scree::smallest_divisor<T>),
+            .before = before,
+            .slid = bool(slides | weighs_one),
+            .moving = c.kick > T(0)};
   }
 
   // Sets the energies of the normal direction. [D1], δ' = −v_n

@@ -102,11 +102,12 @@ struct Kernel : LinearSpringDashpot {
   static constexpr std::uint32_t reads =
       scree::reads_normal | scree::reads_overlap | scree::reads_relative_velocity |
       scree::reads_onset_weight | (frictional ? scree::reads_tangential_increment : 0u) |
-      (by_restitution ? scree::reads_reduced_mass_root : 0u) |
+      (by_restitution || friction == Friction::undamped ? scree::reads_reduced_mass_root : 0u) |
       (rolling ? scree::reads_relative_spin | scree::reads_reduced_mass_root | scree::reads_effective_radius
                : 0u);
   static constexpr bool tangential = frictional || rolling;
   static constexpr bool writes_couple = rolling;
+  static constexpr bool follows_onset = friction == Friction::undamped && !falls;
   static constexpr bool follows_backwards = frictional && friction != Friction::total;
 
   template <int D, class T>
@@ -190,11 +191,17 @@ struct Kernel : LinearSpringDashpot {
           scree::slide_or_stick<damped>(tangent.falling(step, f_n, c.normal, h.spring, h.sliding, c.kick));
     else
       result.slip = scree::slide_or_stick<damped>(step);
+    if constexpr (follows_onset) {
+      if (c.onset)
+        result = scree::slide_or_stick<false>(
+            along_normal.first_slip(c, step, along_normal.template damping_coefficient<by_restitution>(c),
+                                    T(tangent.static_friction), h.spring, h.sliding));
+    }
     const Vec<D, T> mean_force = store(result.slip, h, out);
     if constexpr (damped)
       out.dissipation_rate_tangential = -dot(fused(T(tangent.stiffness), h.spring, result.slip.force), v_t);
     T friction_work = dot(mean_force, trial - h.spring);
-    if constexpr (falls) {
+    if (falls || (follows_onset && c.onset)) {
       h.sliding = result.state;
       out.force += result.begun;
       friction_work -= c.kick * dot(result.begun, v_t);

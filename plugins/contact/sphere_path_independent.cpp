@@ -86,13 +86,15 @@ struct Frictional : Frictionless<kind, by_restitution> {
     return p.chosen_normal() == kind && p.damped_by_mass() == by_restitution && p.friction > 0 &&
            p.tangent.limit_falls() == falls;
   }
-  static constexpr std::uint32_t reads =
-      Frictionless<kind, by_restitution>::reads | scree::reads_tangential_increment |
-      scree::reads_relative_spin | scree::reads_orientations | scree::reads_separation | scree::reads_radii |
-      (kind == Normal::hertz ? scree::reads_effective_radius : 0u);
+  static constexpr std::uint32_t reads = Frictionless<kind, by_restitution>::reads |
+                                         scree::reads_tangential_increment | scree::reads_reduced_mass_root |
+                                         scree::reads_relative_spin | scree::reads_orientations |
+                                         scree::reads_separation | scree::reads_radii |
+                                         (kind == Normal::hertz ? scree::reads_effective_radius : 0u);
   static constexpr bool tangential = true;
   static constexpr bool writes_couple = true;
   static constexpr bool follows_backwards = true;
+  static constexpr bool follows_onset = kind == Normal::linear && !falls;
 
   template <int D, class T>
   struct History {
@@ -139,7 +141,7 @@ struct Frictional : Frictionless<kind, by_restitution> {
       result = scree::slide_or_stick(
           this->tangent.falling(step, f_n.repulsive, c.normal, h.spring, h.state, c.kick));
     else
-      result.slip = scree::slide_or_stick(step);
+      result = slide_or_stick(c, step, h);
     const scree::Slip<D, T>& slip = result.slip;
     const T stiffness_before = stiffness_of(h);
     const Vec<D, T> before = h.spring;
@@ -149,7 +151,7 @@ struct Frictional : Frictionless<kind, by_restitution> {
     h.state = falls ? result.state : state_of(c, slip.slides);
 
     Vec<D, T> pull = -slip.force;
-    if constexpr (falls) pull -= result.begun;
+    if constexpr (adds_to_force) pull -= result.begun;
     const tangential::SpringLoads<T> loads = pair.loads(shares, step.stiffness, pull);
     T along_normal = f_n.total;
     if constexpr (kind == Normal::hertz)
@@ -160,11 +162,28 @@ struct Frictional : Frictionless<kind, by_restitution> {
     out.dissipation_rate_tangential = -dot(fused(step.stiffness, slip.spring, slip.force), rate);
     const Vec<D, T> mean_force = T(0.5) * fused(stiffness_before, before, step.stiffness * slip.spring);
     T friction_work = dot(mean_force, without_slip - slip.spring);
-    if constexpr (falls) friction_work -= c.kick * dot(result.begun, rate);
+    if constexpr (adds_to_force) friction_work -= c.kick * dot(result.begun, rate);
     out.dissipated_friction = c.backwards ? friction_work : std::max(friction_work, T(0));
   }
 
  private:
+  // Whether the moment in a step at which slip begins adds to the force.
+  static constexpr bool adds_to_force = falls || follows_onset;
+
+  template <int D, class T, class AnyHistory>
+  scree::FallingSlip<D, T> slide_or_stick(const Contact<D, T, reads>& c, const scree::SlipStep<D, T>& step,
+                                          const AnyHistory& h) const {
+    if (kind == Normal::hertz || !c.onset) {
+      return {scree::slide_or_stick(step), {}, T(0)};
+    } else {
+      // With a tangential dashpot as if the contact slid before.
+      const T slid = h.state + T(this->tangent.damping);
+      return scree::slide_or_stick(
+          this->linear.first_slip(c, step, this->linear.template damping_coefficient<by_restitution>(c),
+                                  T(this->friction), h.spring, slid));
+    }
+  }
+
   // k_t at the last update of the spring (N/m).
   template <class AnyHistory>
   auto stiffness_of(const AnyHistory& h) const {

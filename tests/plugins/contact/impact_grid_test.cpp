@@ -110,19 +110,20 @@ TEST_CASE("sliding impacts: frictional impulse to a per mille at a fiftieth of a
     const reference::Outcome exact = pair.reference();
     const Deviation coarse = deviation(pair, exact, 50), fine = deviation(pair, exact, 400);
     INFO(name_of(c));
-    // Two laws have a kink within the first steps, where the spring reaches the limit: without a tangential
-    // dashpot friction grows until then, while the limit jumps; and the extra normal force of the potential
-    // form peaks there. Fifty steps do not resolve this; the error is less than the contribution of one step.
-    const bool kinked =
-        c.hertz ? c.history == History::potential : !c.tangential_damping && c.restitution < 1;
+    // The extra normal force of the potential form peaks within the first steps, where the spring reaches the
+    // limit. Fifty steps do not resolve this; the error is less than the contribution of one step.
+    const bool kinked = c.hertz && c.history == History::potential;
+    // Without a tangential dashpot friction grows to a limit that jumps. Where in a step this ends follows
+    // from velocities at its end, which dashpots with e = 0.3 change by a fifth in the two steps that count.
+    const bool grows = !c.hertz && !c.tangential_damping && c.restitution < 1;
     coarse_squares[kinked] += coarse.impulse * coarse.impulse;
     fine_squares[kinked] += fine.impulse * fine.impulse;
     CHECK(fine.impulse < 1e-4);
-    CHECK(coarse.impulse < (kinked ? 1.0 / 50 : 1e-3));
+    CHECK(coarse.impulse < (kinked ? 1.0 / 50 : grows ? 0.2 / 50 : 1e-3));
     double& largest = kinked ? worst_kinked : worst;
     largest = std::max(largest, coarse.impulse);
     // The impulse is μ times that of the normal force: with cut tension μ (1 + e) v_n.
-    if (!kinked && c.wall && c.tension == Tension::cut)
+    if (!kinked && !grows && c.wall && c.tension == Tension::cut)
       CHECK(norm(ImpactPair::vec(exact.tangential_impulse)) / exact.a.mass ==
             Approx(c.friction * (1 + c.restitution) * std::cos(c.angle)).epsilon(1e-6));
   });

@@ -45,6 +45,7 @@ struct Contact {
   T step;                                     // (s) negative in a substep backwards in time
   T kick;                                     // (s) for which the force acts; 0: evaluated without motion
   bool backwards;                             // step < 0, of kernels with `follows_backwards`; else false
+  bool onset;  // whether any pair of the batch has an onset weight but 1, of kernels with `follows_onset`
   // (m/s) of the contact points, a minus b, at the end of the step
   Input<reads, SCREE_RELATIVE_VELOCITY, Vector> relative_velocity;
   // (m) displacement of a's contact point relative to b's while touching in this step, perpendicular to the

@@ -90,9 +90,21 @@ inline constexpr bool follows_backwards = requires {
   requires Kernel::follows_backwards;
 };
 
+// Likewise for batches with pairs soon after first touch or before parting (Contact::onset), which are few.
+template <class Kernel>
+inline constexpr bool follows_onset = requires {
+  requires Kernel::follows_onset;
+};
+
+inline bool any_onset(const scree_contact_batch& batch) {
+  std::uint32_t near = 0;
+  for (std::uint32_t i = 0; i < batch.count; ++i) near += batch.input[SCREE_ONSET_WEIGHT][i] != 1;
+  return near > 0;
+}
+
 // Flattened, because the loop vectorises only when the author's functions are inlined completely; not inlined
 // itself, so that a test can find it in the machine code.
-template <class Parameters, class Kernel, int D, bool audit, bool backwards>
+template <class Parameters, class Kernel, int D, bool audit, bool backwards, bool onset>
 [[gnu::flatten, gnu::noinline]] void evaluate_batch(const Parameters& parameters,
                                                     const scree_contact_batch& shared) {
   using History = typename Kernel::template History<D, double>;
@@ -106,6 +118,7 @@ template <class Parameters, class Kernel, int D, bool audit, bool backwards>
   for (std::uint32_t i = 0; i < count; ++i) {
     auto contact = load_contact<Kernel, D>([&](std::uint32_t k) { return batch.input[k][i]; }, step, kick);
     contact.backwards = backwards;
+    contact.onset = onset;
     History history{};
     each_component<width, double>(history,
                                   [&](std::uint32_t k, double& value) { value = batch.history[k][i]; });
@@ -136,9 +149,12 @@ template <class Parameters, class Kernel, int D, bool audit, bool backwards>
 template <class Parameters, class Kernel, int D, bool audit>
 void evaluate_either_way(const Parameters& parameters, const scree_contact_batch& batch) {
   if constexpr (follows_backwards<Kernel>) {
-    if (batch.step < 0) return evaluate_batch<Parameters, Kernel, D, audit, true>(parameters, batch);
+    if (batch.step < 0) return evaluate_batch<Parameters, Kernel, D, audit, true, false>(parameters, batch);
   }
-  evaluate_batch<Parameters, Kernel, D, audit, false>(parameters, batch);
+  if constexpr (follows_onset<Kernel>) {
+    if (any_onset(batch)) return evaluate_batch<Parameters, Kernel, D, audit, false, true>(parameters, batch);
+  }
+  evaluate_batch<Parameters, Kernel, D, audit, false, false>(parameters, batch);
 }
 
 template <class Parameters, class Kernel, int D>
