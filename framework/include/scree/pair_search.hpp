@@ -53,7 +53,7 @@ class PairSearch {
   struct Hierarchy;
   void collect_pairs(const Domain& domain, double skin, ThreadPool& threads);
   void bin_bodies(std::span<const Sphere> bodies, int dimension, const Domain& domain, double skin);
-  void sort_pairs(std::size_t bodies);
+  void sort_pairs(std::size_t bodies, ThreadPool& threads);
 
   Images images_;
   std::size_t most_pairs_;

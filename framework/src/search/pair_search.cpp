@@ -1,3 +1,4 @@
+#include "bodies/body_range.hpp"
 #include "bodies/counting_sort.hpp"
 #include "bodies/folding.hpp"
 #include "machine/instruction_levels.hpp"
@@ -202,7 +203,7 @@ void PairSearch::bin_bodies(std::span<const Sphere> bodies, int dimension, const
 }
 
 // Sorts by a with a counting sort, then each short run by b.
-void PairSearch::sort_pairs(std::size_t bodies) {
+void PairSearch::sort_pairs(std::size_t bodies, ThreadPool& threads) {
   std::size_t count = 0;
   for (const auto& pairs : found_) count += pairs.size();
   sorted_.resize(count);
@@ -215,8 +216,11 @@ void PairSearch::sort_pairs(std::size_t bodies) {
       },
       [](const NeighbourPair& p) { return p.a; },
       [&](const NeighbourPair& p, std::size_t index) { sorted_[index] = p; });
-  for (std::size_t i = 0; i < bodies; ++i)
-    sort_run(sorted_.data() + first_[i], sorted_.data() + first_[i + 1]);
+  const BodyTiles tiles(bodies);
+  threads.each(tiles.count(), [&](std::size_t t, unsigned) {
+    for (std::size_t i = tiles[t].begin; i < tiles[t].end; ++i)
+      sort_run(sorted_.data() + first_[i], sorted_.data() + first_[i + 1]);
+  });
 }
 
 const std::vector<NeighbourPair>& PairSearch::find(std::span<const Sphere> bodies, int dimension,
@@ -226,7 +230,7 @@ const std::vector<NeighbourPair>& PairSearch::find(std::span<const Sphere> bodie
   if (bodies.size() < 2) return sorted_;
   bin_bodies(bodies, dimension, domain, skin);
   collect_pairs(domain, skin, threads);
-  sort_pairs(bodies.size());
+  sort_pairs(bodies.size(), threads);
   return sorted_;
 }
 
