@@ -2,36 +2,59 @@
 
 #include "vtk_messages.hpp"
 
-#include <algorithm>
+#include <csetjmp>
+#include <new>
+#include <string>
 
 #include <fmt/format.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPNGReader.h>
-#include <vtkPNGWriter.h>
-#include <vtkUnsignedCharArray.h>
+#include <vtk_png.h>
 
 #include <scree/error.hpp>
 #include <scree/files/text_file.hpp>
 
 namespace scree::pictures {
+namespace {
 
+extern "C" void append_png_bytes(png_structp png, png_bytep bytes, std::size_t count) {
+  try {
+    static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(bytes), count);
+  } catch (const std::bad_alloc&) {  // exceptions may not pass through libpng
+    png_error(png, "no memory");
+  }
+}
+
+// False if libpng fails. Nothing in it has a destructor, which setjmp would skip.
+bool append_png(const Picture& picture, png_structp png, png_infop info, std::string& bytes) {
+  if (!png || !info || setjmp(png_jmpbuf(png))) return false;
+  png_set_write_fn(png, &bytes, append_png_bytes, nullptr);
+  png_set_IHDR(png, info, png_uint_32(picture.width), png_uint_32(picture.height), 8, PNG_COLOR_TYPE_RGB,
+               PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  // A third of the time of level 4 with the best filter of each row, for files a tenth larger.
+  png_set_compression_level(png, 1);
+  png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
+  png_write_info(png, info);
+  for (int row = 0; row < picture.height; ++row)
+    png_write_row(png, picture.rgb.data() + 3 * std::size_t(row) * std::size_t(picture.width));
+  png_write_end(png, info);
+  return true;
+}
+
+}  // namespace
+
+// By libpng rather than VTK's writer, which leaves the choice of filters to it.
 void write_png(const Picture& picture, const std::filesystem::path& file) {
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(picture.width, picture.height, 1);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  const std::size_t row_bytes = 3 * std::size_t(picture.width);
-  for (int row = 0; row < picture.height; ++row)  // VTK counts rows from the bottom
-    std::copy_n(picture.rgb.data() + row * row_bytes, row_bytes,
-                static_cast<std::uint8_t*>(image->GetScalarPointer(0, picture.height - 1 - row, 0)));
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputData(image);
-  writer->SetCompressionLevel(4);
-  writer->WriteToMemoryOn();
-  writer->Write();
-  vtkUnsignedCharArray* bytes = writer->GetResult();
-  files::write_in_folder(
-      file, {reinterpret_cast<const char*>(bytes->GetPointer(0)), std::size_t(bytes->GetNumberOfValues())});
+  std::string bytes;
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+  png_infop info = png ? png_create_info_struct(png) : nullptr;
+  const bool complete = append_png(picture, png, info, bytes);
+  png_destroy_write_struct(&png, &info);
+  if (!complete)
+    throw Error(fmt::format("{}: libpng cannot write the picture; free memory", file.string()),
+                ExitStatus::failure);
+  files::write_in_folder(file, bytes);
 }
 
 Picture read_png(const std::filesystem::path& file) {

@@ -1,21 +1,20 @@
 #include "offscreen_context.hpp"
 
-#include "ambient_occlusion.hpp"
+#include "averaged_pixels.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <string>
 
 #include <GL/osmesa.h>
 #include <fmt/format.h>
+#include <vtkDataArrayRange.h>
 #include <vtkFloatArray.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
 #include <vtkRenderer.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <scree/allowed_processors.hpp>
 #include <scree/error.hpp>
@@ -23,49 +22,6 @@
 
 namespace scree::pictures {
 namespace {
-
-// Averages blocks of scale x scale pixels and flips the rows, from bottom-up to top-down.
-Picture average_down(const std::uint8_t* rgb, int width, int height, int scale) {
-  Picture picture{width, height, std::vector<std::uint8_t>(3 * std::size_t(width) * height)};
-  const std::size_t row_bytes = 3 * std::size_t(width) * scale;
-  std::vector<int> sums(3 * std::size_t(width));
-  for (int y = 0; y < height; ++y) {
-    std::fill(sums.begin(), sums.end(), 0);
-    for (int sub_row = 0; sub_row < scale; ++sub_row) {
-      const std::uint8_t* row = rgb + (std::size_t(y) * scale + sub_row) * row_bytes;
-      for (int x = 0; x < width; ++x)
-        for (int k = 0; k < 3 * scale; ++k) sums[3 * x + k % 3] += row[3 * scale * x + k];
-    }
-    std::uint8_t* out = picture.rgb.data() + 3 * std::size_t(height - 1 - y) * width;
-    const int pixels = scale * scale;
-    for (std::size_t k = 0; k < sums.size(); ++k) out[k] = std::uint8_t((sums[k] + pixels / 2) / pixels);
-  }
-  return picture;
-}
-
-// rgb: of rows of `row_width` pixels; depths: 0 to 1, of the rows of the hollows.
-void darken(std::uint8_t* rgb, int row_width, const Hollows& hollows, const float* depths) {
-  DepthField field = {hollows.width, hollows.height};
-  for (std::size_t k = 0; k < std::size_t(hollows.width) * std::size_t(hollows.height); ++k)
-    field.depth.push_back(depths[k] < 1 ? float(-hollows.depth_range * depths[k])
-                                        : -std::numeric_limits<float>::infinity());
-  // Above 1, for a difference that is seen.
-  constexpr float contrast = 1.5f;
-  const std::vector<float> shares = open_shares(field, hollows.radius);
-  for (int row = 0; row < hollows.height; ++row)
-    for (int column = 0; column < hollows.width; ++column) {
-      const float share =
-          std::pow(shares[std::size_t(row) * std::size_t(hollows.width) + std::size_t(column)], contrast);
-      std::uint8_t* const pixel = rgb + 3 * (std::size_t(hollows.bottom + row) * std::size_t(row_width) +
-                                             std::size_t(hollows.left + column));
-      for (int k = 0; k < 3; ++k) pixel[k] = std::uint8_t(std::lround(share * float(pixel[k])));
-    }
-}
-
-// What is dark in either picture is dark.
-void multiply(std::uint8_t* picture, const std::uint8_t* other, std::size_t values) {
-  for (std::size_t k = 0; k < values; ++k) picture[k] = std::uint8_t((picture[k] * other[k] + 127) / 255);
-}
 
 // Mesa starts a thread per processor of the computer, also of those that this process may not use, and waits
 // for ever for one that did not start; told so, it draws in this thread.
@@ -94,6 +50,7 @@ struct OffscreenContext::Window {
   // VTK draws into its own frame buffers; OSMesa only requires some memory as its window.
   std::array<std::uint8_t, 4 * 16 * 16> surface{};
   vtkNew<vtkGenericOpenGLRenderWindow> vtk;
+  AveragedPixels averaged;
 
   Window() : context(create_context()) {
     make_current();
@@ -105,6 +62,8 @@ struct OffscreenContext::Window {
     vtk->SetIsCurrent(true);
     vtk->SetSupportsOpenGL(1);
     vtk->SetMultiSamples(0);
+    // Pictures are read from where VTK draws; it would copy colours and depths to another frame buffer.
+    vtk->SwapBuffersOff();
     vtk->SetDPI(72);  // makes font sizes pixels
   }
 
@@ -154,40 +113,25 @@ void OffscreenContext::render(int width, int height, const std::vector<vtkRender
     vtk->AddRenderer(renderers[layer]);
   }
   vtk->Render();
-}
-
-vtkNew<vtkUnsignedCharArray> OffscreenContext::pixels(int width, int height) {
-  const int scale = supersampling(width, height);
-  vtkNew<vtkUnsignedCharArray> all;
-  const int front = 1;
-  const int right_eye = 0;
-  window_->vtk->GetPixelData(0, 0, width * scale - 1, height * scale - 1, front, all, right_eye);
-  return all;
+  for (vtkRenderer* renderer : renderers) vtk->RemoveRenderer(renderer);
 }
 
 Picture OffscreenContext::draw(int width, int height, const std::vector<vtkRenderer*>& renderers) {
   render(width, height, renderers);
-  const vtkNew<vtkUnsignedCharArray> all = pixels(width, height);
-  for (vtkRenderer* renderer : renderers) window_->vtk->RemoveRenderer(renderer);
-  return average_down(all->GetPointer(0), width, height, supersampling(width, height));
+  return window_->averaged.read(window_->vtk, width, height);
 }
 
-Picture OffscreenContext::draw_with_shadows(int width, int height, const std::vector<vtkRenderer*>& scene,
-                                            const std::vector<vtkRenderer*>& overlay,
-                                            const Hollows& hollows) {
-  render(width, height, scene);
-  const vtkNew<vtkUnsignedCharArray> all = pixels(width, height);
-  vtkNew<vtkFloatArray> depths;
+DepthField OffscreenContext::draw_depths(int width, int height, const std::vector<vtkRenderer*>& renderers,
+                                         const Hollows& hollows) {
+  render(width, height, renderers);
+  vtkNew<vtkFloatArray> shares;  // of the range of depths
   window_->vtk->GetZbufferData(hollows.left, hollows.bottom, hollows.left + hollows.width - 1,
-                               hollows.bottom + hollows.height - 1, depths);
-  for (vtkRenderer* renderer : scene) window_->vtk->RemoveRenderer(renderer);
-  const int scale = supersampling(width, height);
-  darken(all->GetPointer(0), width * scale, hollows, depths->GetPointer(0));
-  render(width, height, overlay);
-  const vtkNew<vtkUnsignedCharArray> above = pixels(width, height);
-  for (vtkRenderer* renderer : overlay) window_->vtk->RemoveRenderer(renderer);
-  multiply(all->GetPointer(0), above->GetPointer(0), std::size_t(all->GetNumberOfValues()));
-  return average_down(all->GetPointer(0), width, height, scale);
+                               hollows.bottom + hollows.height - 1, shares);
+  DepthField field = {hollows.width, hollows.height};
+  for (const float share : vtk::DataArrayValueRange<1>(shares.Get()))
+    field.depth.push_back(share < 1 ? float(-hollows.depth_range * share)
+                                    : -std::numeric_limits<float>::infinity());
+  return field;
 }
 
 }  // namespace scree::pictures

@@ -1,10 +1,9 @@
 #pragma once
 
+#include "ambient_occlusion.hpp"
+
 #include <memory>
 #include <vector>
-
-#include <vtkNew.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <scree/pictures/picture.hpp>
 
@@ -35,13 +34,13 @@ class OffscreenContext {
 
   // Draws the renderers, later ones on top, at `supersampling` times the size, and averages down.
   Picture draw(int width, int height, const std::vector<vtkRenderer*>& renderers);
-  // The same of a scene whose hollows are darkened, with an overlay that is dark on white.
-  Picture draw_with_shadows(int width, int height, const std::vector<vtkRenderer*>& scene,
-                            const std::vector<vtkRenderer*>& overlay, const Hollows& hollows);
+  // Draws what a picture begins with; a renderer that erases nothing is drawn over it next. Depths (pixels)
+  // grow towards the viewer and are minus infinity where nothing is.
+  DepthField draw_depths(int width, int height, const std::vector<vtkRenderer*>& renderers,
+                         const Hollows& hollows);
 
  private:
   void render(int width, int height, const std::vector<vtkRenderer*>& renderers);
-  vtkNew<vtkUnsignedCharArray> pixels(int width, int height);
   struct Window;
   std::unique_ptr<Window> window_;
 };

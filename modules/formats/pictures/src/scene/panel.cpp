@@ -39,6 +39,7 @@ SceneLayout SceneLayout::of_size(int width, int height, bool scale_bar) {
 vtkStandardNewMacro(Panel)
 
     bool Panel::Paint(vtkContext2D* painter) {
+  if (shade) painter->DrawImage(0, float(std::lround(layout.note())), shade);
   paint_caption(painter);
   const std::vector<ColorField::Entry> legend = field ? field->legend() : std::vector<ColorField::Entry>();
   if (field) legend.empty() ? paint_color_bar(painter) : paint_legend(painter, legend);

@@ -6,6 +6,8 @@
 #include <string>
 
 #include <vtkContextItem.h>
+#include <vtkImageData.h>
+#include <vtkSmartPointer.h>
 
 namespace scree::pictures {
 
@@ -43,6 +45,7 @@ class Panel : public vtkContextItem {
   const ColorField* field = nullptr;  // null: no particles, so no colour bar
   double scale_bar = 0;               // (m) its length; 0: none
   double pixels_per_metre = 0;
+  vtkSmartPointer<vtkImageData> shade{};  // drawn over the scene, from its lower left; null: none
 
  private:
   void paint_caption(vtkContext2D* painter) const;

@@ -1,5 +1,6 @@
 #include "scene_picture.hpp"
 
+#include "ambient_occlusion.hpp"
 #include "arrow_glyphs.hpp"
 #include "contact_tubes.hpp"
 #include "cut_frame.hpp"
@@ -19,8 +20,11 @@
 #include <fmt/format.h>
 #include <vtkContextActor.h>
 #include <vtkContextScene.h>
+#include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkRenderStepsPass.h>
 #include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
 
 namespace scree::pictures {
 namespace {
@@ -111,6 +115,22 @@ void add_bodies_with_arrows(vtkRenderer* renderer, const Frame& frame, const Arr
   add_arrows(renderer, frame, arrows, lengths);
 }
 
+// Black where hollows are, more opaque the less open they are.
+vtkSmartPointer<vtkImageData> shade_of(const DepthField& field, double radius) {
+  // Above 1, for a difference that is seen.
+  constexpr float contrast = 1.5f;
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(field.width, field.height, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  auto* pixel = static_cast<std::uint8_t*>(image->GetScalarPointer());
+  for (const float share : open_shares(field, radius)) {
+    std::fill_n(pixel, 3, std::uint8_t{0});
+    pixel[3] = std::uint8_t(std::lround(255 * (1 - std::pow(share, contrast))));
+    pixel += 4;
+  }
+  return image;
+}
+
 // The ball has the mean size of the bodies, so that hollows between neighbours are dark.
 Hollows hollows_of(const Frame& frame, const SceneCamera& camera, const SceneLayout& layout) {
   const double pixels_per_metre = layout.scene_height() / (2 * camera.half_height);
@@ -144,6 +164,10 @@ Picture picture_of(OffscreenContext& context, const Frame& whole, const ArrowFie
 
   vtkNew<vtkRenderer> scene, overlay;
   scene->SetBackground(1, 1, 1);
+  // By default VTK gathers translucent colours in frame buffers of floats, for any order. Walls have one
+  // colour, so that their order does not matter.
+  const vtkNew<vtkRenderStepsPass> steps;
+  scene->SetPass(steps);
   scene->SetViewport(0, layout.note() / layout.height, layout.scene_width() / layout.width,
                      1 - layout.caption() / layout.height);
   const auto camera = SceneCamera::fitting(box, axes, layout.scene_width() / layout.scene_height());
@@ -161,9 +185,13 @@ Picture picture_of(OffscreenContext& context, const Frame& whole, const ArrowFie
   if (arrows) panel->note = arrows->note;
   if (frame.particle_count() > 0 && options.show_bodies) panel->field = &field;
   add_panel(overlay, panel);
-  if (options.shadows && !arrows && frame.dimension == 3)
-    return context.draw_with_shadows(options.width, options.height, {background, scene},
-                                     {background, overlay}, hollows_of(frame, camera, layout));
+  if (options.shadows && !arrows && frame.dimension == 3) {
+    const Hollows hollows = hollows_of(frame, camera, layout);
+    panel->shade = shade_of(context.draw_depths(options.width, options.height, {background, scene}, hollows),
+                            hollows.radius);
+    overlay->EraseOff();
+    return context.draw(options.width, options.height, {overlay});
+  }
   return context.draw(options.width, options.height, {background, scene, overlay});
 }
 
