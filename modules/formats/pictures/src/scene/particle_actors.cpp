@@ -88,6 +88,16 @@ void cut_spheres(vtkActor* actor, const SphereCut& cut) {
       normal, true, "  diffuseColor *= shade_of_cut;\n  ambientColor *= shade_of_cut;\n" + normal, false);
 }
 
+// Bodies have no highlights, which VTK computes all the same: two powers per pixel drawn.
+void skip_highlights(vtkActor* actor) {
+  for (int light = 0; light < scene_lights; ++light)
+    actor->GetShaderProperty()->AddFragmentShaderReplacement(
+        fmt::format("  sf = sign(df)*pow(max(0.0, dot( reflect(lightDirectionVC{}, normalVCVSOutput), "
+                    "normalize(-vertexVC.xyz))), specularPower);\n",
+                    light),
+        false, "  sf = 0.0;\n", false);
+}
+
 }  // namespace
 
 void add_spheres(vtkRenderer* renderer, const Frame& frame, const ColorField& field,
@@ -117,6 +127,7 @@ void add_spheres(vtkRenderer* renderer, const Frame& frame, const ColorField& fi
   actor->SetMapper(mapper);
   actor->GetProperty()->SetAmbient(0.15);
   actor->GetProperty()->SetDiffuse(0.88);
+  skip_highlights(actor);
   cut_spheres(actor, cut);
   renderer->AddActor(actor);
 }

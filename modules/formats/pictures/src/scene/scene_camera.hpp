@@ -12,6 +12,8 @@ class vtkRenderer;
 
 namespace scree::pictures {
 
+inline constexpr int scene_lights = 2;  // each from one direction
+
 // Ends along each axis (m), absent: none.
 using Cut = std::array<std::optional<std::array<double, 2>>, 3>;
 
