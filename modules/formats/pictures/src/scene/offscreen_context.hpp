@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ambient_occlusion.hpp"
+#include "sphere_visibility.hpp"
 
 #include <memory>
 #include <vector>
@@ -38,6 +39,8 @@ class OffscreenContext {
   // grow towards the viewer and are minus infinity where nothing is.
   DepthField draw_depths(int width, int height, const std::vector<vtkRenderer*>& renderers,
                          const Hollows& hollows);
+
+  DepthMemory depth_memory{};  // of the bodies of one picture after the other
 
  private:
   void render(int width, int height, const std::vector<vtkRenderer*>& renderers);

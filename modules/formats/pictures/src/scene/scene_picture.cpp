@@ -82,7 +82,8 @@ SphereCut cut_of_spheres(std::vector<HalfSpace> spaces, const SceneCamera& camer
 }
 
 void add_particles(vtkRenderer* renderer, const Frame& frame, const RenderOptions& options,
-                   const ColorField& field, const SceneCamera& camera, const SceneLayout& layout) {
+                   const ColorField& field, const SceneCamera& camera, const SceneLayout& layout,
+                   DepthMemory& memory) {
   if (frame.particle_count() == 0 || !options.show_bodies) return;
   const std::vector<HalfSpace> cut = half_spaces(options.cut);
   if (frame.dimension == 2) return add_discs(renderer, frame, field, layout.pixel_scale, cut);
@@ -93,7 +94,7 @@ void add_particles(vtkRenderer* renderer, const Frame& frame, const RenderOption
   if (shrinks_spheres(frame, options))
     return add_spheres(renderer, frame, field, particles, sphere_scale_among_contacts, sphere_cut);
   particles = visible_spheres(frame, camera, int(std::lround(layout.scene_width())),
-                              int(std::lround(layout.scene_height())), cut_in_view);
+                              int(std::lround(layout.scene_height())), cut_in_view, memory);
   add_spheres(renderer, frame, field, particles, 1, sphere_cut);
 }
 
@@ -174,7 +175,7 @@ Picture picture_of(OffscreenContext& context, const Frame& whole, const ArrowFie
   if (arrows)
     add_bodies_with_arrows(scene, frame, *arrows, field, layout);
   else
-    add_particles(scene, frame, options, field, camera, layout);
+    add_particles(scene, frame, options, field, camera, layout, context.depth_memory);
   if (options.show_contacts) add_contacts(scene, frame, options.strong_contacts);
   if (options.show_walls) add_walls(scene, frame, box, axes, layout.pixel_scale);
   camera.apply(scene);

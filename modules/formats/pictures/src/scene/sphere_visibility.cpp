@@ -11,12 +11,11 @@ namespace {
 class DepthImage {
  public:
   // cut: half-spaces in pixels, out of which nothing is drawn.
-  DepthImage(int width, int height, std::vector<HalfSpace> cut)
-      : width_(width),
-        height_(height),
-        cut_(std::move(cut)),
-        depth_(std::size_t(width) * height, -std::numeric_limits<float>::infinity()),
-        owner_(depth_.size(), -1) {}
+  DepthImage(int width, int height, std::vector<HalfSpace> cut, DepthMemory& memory)
+      : width_(width), height_(height), cut_(std::move(cut)), depth_(memory.depth), owner_(memory.owner) {
+    depth_.assign(std::size_t(width) * std::size_t(height), -std::numeric_limits<float>::infinity());
+    owner_.assign(depth_.size(), -1);
+  }
 
   // x, y: centre; z: depth towards the viewer; all in pixels.
   void draw(int sphere, double x, double y, double z, double radius) {
@@ -60,20 +59,20 @@ class DepthImage {
   int width_;
   int height_;
   std::vector<HalfSpace> cut_;
-  std::vector<float> depth_;
-  std::vector<int> owner_;
+  std::vector<float>& depth_;
+  std::vector<int>& owner_;
 };
 
 }  // namespace
 
 std::vector<std::size_t> visible_spheres(const Frame& frame, const SceneCamera& camera, int width, int height,
-                                         const std::vector<HalfSpace>& cut) {
+                                         const std::vector<HalfSpace>& cut, DepthMemory& memory) {
   const double pixels_per_metre = height / (2 * camera.half_height);
   std::vector<HalfSpace> cut_in_pixels;
   for (const auto& [normal, offset] : cut)
     cut_in_pixels.push_back(
         {normal, pixels_per_metre * offset + normal[0] * width / 2.0 + normal[1] * height / 2.0});
-  DepthImage image(width, height, std::move(cut_in_pixels));
+  DepthImage image(width, height, std::move(cut_in_pixels), memory);
   for (std::size_t k = 0; k < frame.particle_count(); ++k) {
     const double* position = frame.position.data() + 3 * k;
     const Point offset = moved({position[0], position[1], position[2]}, -1, camera.center);
