@@ -105,6 +105,8 @@ struct Common {
   pictures::ViewRange view;
   std::vector<double> times = {};  // (s)
   bool has_bodies = false;         // in the cut
+  // The first ones, as many as fit in about 200 MB; the rest is read again.
+  std::vector<pictures::Frame> frames = {};
 
   // Time between pictures (s); 0 of one. The last may follow its predecessor at once.
   double spacing() const {
@@ -115,13 +117,17 @@ struct Common {
 Common common_of(const std::vector<fs::path>& frames, const pictures::RenderOptions& options,
                  pictures::SnapshotBackend& backend) {
   Common common = {pictures::ViewRange(options.color_by)};
+  std::size_t room = 1'000'000;  // bodies and contacts, of 200 bytes each
   for (const fs::path& file : frames) {
-    const pictures::Frame frame = backend.read_frame(file);
+    pictures::Frame frame = backend.read_frame(file);
     common.view.add_box(frame);
     common.view.add_colors(frame);
     common.times.push_back(frame.time);
     for (std::size_t i = 0; i < frame.particle_count() && !common.has_bodies; ++i)
       common.has_bodies = pictures::reaches_into(options.cut, frame.position.data() + 3 * i, frame.radius[i]);
+    const std::size_t rows = frame.particle_count() + frame.contact_count();
+    room = rows <= room ? room - rows : 0;
+    if (room > 0) common.frames.push_back(std::move(frame));
   }
   if (!common.has_bodies && options.cut != pictures::Cut{})
     throw Error("--cut: no body lies there in any snapshot; give a range that holds some");
@@ -203,15 +209,16 @@ ExitStatus render(const RenderArguments& arguments) {
   const std::vector<fs::path> frames = snapshot_files(arguments.source);
   Pictures places(arguments);
   for (const fs::path& file : frames) places.check(file);
-  const Common common = common_of(frames, options, *backend);
+  Common common = common_of(frames, options, *backend);
   if (!options.color_range) options.color_range = common.view.colors();
   options.time_spacing = common.spacing();
   std::vector<fs::path> drawn;
   places.create_folder();
-  for (const fs::path& file : frames) {
-    pictures::Frame frame = backend->read_frame(file);
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    pictures::Frame frame =
+        k < common.frames.size() ? std::move(common.frames[k]) : backend->read_frame(frames[k]);
     frame.lower = common.view.lower(), frame.upper = common.view.upper();
-    drawn.push_back(places.draw(file, frame, options, *backend));
+    drawn.push_back(places.draw(frames[k], frame, options, *backend));
     fmt::print("{}\n", drawn.back().string());
   }
   if (arguments.movie.empty()) return ExitStatus::success;
