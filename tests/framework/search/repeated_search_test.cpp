@@ -20,7 +20,7 @@ using scree::Vec3;
 
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::infinity();
+constexpr double anywhere = std::numeric_limits<double>::infinity();
 
 // Bodies with constant velocities of the same magnitude, so that many pairs approach each other at twice it.
 struct Moving {
@@ -68,7 +68,7 @@ TEST_CASE("repeated searches find the pairs of single ones, in their order and w
   RepeatedSearch repeated;
   std::mt19937_64 random(9);
   std::uniform_real_distribution<double> change(0.8, 1.25), share(0, 0.5);
-  double skin = 0.1, moved = unknown;
+  double skin = 0.1, moved = anywhere;
   constexpr std::size_t searches = 60;
   for (std::size_t k = 0; k < searches; ++k) {
     const auto& found = repeated.find(scene.bodies, dimension, scene.domain, skin, moved, threads);
@@ -92,7 +92,7 @@ TEST_CASE("a repeated search starts anew if bodies may be anywhere, and after on
   for (int k = 0; k < 3; ++k) check_anew(0.1, 0);
   std::reverse(scene.bodies.begin(), scene.bodies.end());
   scene.bodies.resize(300);
-  check_anew(0.1, unknown);
+  check_anew(0.1, anywhere);
   check_anew(0.1, 0);
   CHECK_THROWS_AS(repeated.find(scene.bodies, 3, scene.domain, 6, 0, threads), scree::Error);
   check_anew(0.1, 0);
