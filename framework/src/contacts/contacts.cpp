@@ -124,6 +124,7 @@ void Contacts::rebuild(const std::vector<NeighbourPair>& bodies, const std::vect
         [&](const PlanePair& p, std::size_t index) { set_pair(index, p.body, p.plane, Domain::no_shift); }};
     const Choice bodies_of_group = {
         [&](const NeighbourPair& p) {
+          if (lookup.materials == 1) return lookup.law_of[0] == group.law;
           const std::uint32_t a_material = lookup.body_material[p.a], b_material = lookup.body_material[p.b];
           return (is_turned(p) ? law_of(b_material, a_material) : law_of(a_material, b_material)) ==
                  group.law;

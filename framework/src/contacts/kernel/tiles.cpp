@@ -7,6 +7,16 @@
 
 namespace scree::kernel {
 
+namespace {
+
+// Each number once, in order.
+void sort_and_unite(std::vector<std::uint32_t>& numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
+
+}  // namespace
+
 // First the blocks of pairs inside the tile: their evaluation needs no body of another tile.
 void Tiles::cut_blocks(const Contacts& contacts, std::uint32_t t) {
   tiles_[t].first_block = blocks_.size();
@@ -65,26 +75,14 @@ void Tiles::assign_slots(const Contacts& contacts, std::size_t planes, std::uint
       slot_a_[p] = slot_b_[p] = std::uint32_t(tile.first_own + planes);
   }
   tile.reached.push_back(t);
-  std::sort(tile.reached.begin(), tile.reached.end());
-  tile.reached.erase(std::unique(tile.reached.begin(), tile.reached.end()), tile.reached.end());
+  sort_and_unite(tile.reached);
 }
 
-// In the order in which they are read.
 void Tiles::list_foreign_bodies(std::uint32_t t) {
   Tile& tile = tiles_[t];
-  std::vector<Incoming> first_read(
-      outgoing_.begin() + std::ptrdiff_t(tile.first_outgoing),
-      outgoing_.begin() + std::ptrdiff_t(tile.first_outgoing + tile.last_foreign - tile.first_foreign));
-  const auto by_body = [](const Incoming& p, const Incoming& q) {
-    return p.body != q.body ? p.body < q.body : p.slot < q.slot;
-  };
-  std::sort(first_read.begin(), first_read.end(), by_body);
-  first_read.erase(std::unique(first_read.begin(), first_read.end(),
-                               [](const Incoming& p, const Incoming& q) { return p.body == q.body; }),
-                   first_read.end());
-  std::sort(first_read.begin(), first_read.end(),
-            [](const Incoming& p, const Incoming& q) { return p.slot < q.slot; });
-  for (const Incoming& read : first_read) tile.foreign.push_back(read.body);
+  for (std::size_t k = 0; k < tile.last_foreign - tile.first_foreign; ++k)
+    tile.foreign.push_back(outgoing_[tile.first_outgoing + k].body);
+  sort_and_unite(tile.foreign);
 }
 
 void Tiles::sort_incoming() {
