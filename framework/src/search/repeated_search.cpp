@@ -79,15 +79,16 @@ const std::vector<NeighbourPair>& RepeatedSearch::find(std::span<const Sphere> b
 void RepeatedSearch::find_candidates(std::span<const Sphere> bodies, int dimension, const Domain& domain,
                                      double skin, ThreadPool& threads) {
   const Largest largest(bodies);
+  // Bodies are folded, and their displacements measured, with rounded coordinates.
+  const double round_off = 1e3 * std::numeric_limits<double>::epsilon() * largest.coordinate;
   const double limit = margin_limit(domain, dimension, 2 * largest.radius + skin);
   double margin = std::min(margin_per_skin_ * skin, limit);
-  if (margin < smallest_margin * skin || found_last_ > search_.most_pairs() / 8) margin = 0;
+  if (margin < std::max(smallest_margin * skin, 2 * round_off) || found_last_ > search_.most_pairs() / 8)
+    margin = 0;
   covered_ = 0;  // also after an error
   candidates_ = &search_.find(bodies, dimension, domain, skin + margin, threads);
   ++grid_searches_;
-  margin_per_skin_ = std::max(margin_per_skin_, first_margin);
-  // Bodies are folded, and their displacements measured, with rounded coordinates.
-  const double round_off = 1e3 * std::numeric_limits<double>::epsilon() * largest.coordinate;
+  if (margin_per_skin_ == 0) margin_per_skin_ = first_margin;
   if (margin > 0) covered_ = skin + margin - round_off;
 }
 

@@ -9,8 +9,8 @@
 namespace scree {
 
 // Searches among bodies that move little from one search to the next: a grid finds candidates with a margin
-// on the skin, and searches select from these until bodies may have moved through the margin. The pairs and
-// their order are those of PairSearch::find.
+// on the skin, and searches select from these until bodies may have moved through the margin.
+// PairSearch::find would give the same pairs in the same order.
 class RepeatedSearch {
  public:
   // moved: a bound of the largest displacement of a body since the last search (m), without folding; infinite

@@ -109,3 +109,14 @@ TEST_CASE("a repeated search has no margin where a pair of candidates would have
     CHECK(repeated.grid_searches() == k);
   }
 }
+
+TEST_CASE("a repeated search has no margin where coordinates are rounded by more", "[search]") {
+  Moving scene(3, 400, 0.5, {false, false, false}, 14);
+  // By far: 4 mm between two numbers, beside a skin of 0.1 m.
+  for (Sphere& body : scene.bodies) body.position[0] += 2e13;
+  scree::ThreadPool threads(1);
+  RepeatedSearch repeated;
+  for (int k = 0; k < 3; ++k)
+    CHECK(repeated.find(scene.bodies, 3, scene.domain, 0.1, 0, threads) ==
+          PairSearch().find(scene.bodies, 3, scene.domain, 0.1, threads));
+}

@@ -34,8 +34,8 @@ std::map<std::string, int> disassemble(const std::string& library, const std::st
 // Not the baseline of x86-64: without the instruction a fused multiply-add is a function call.
 TEST_CASE("every batch loop of every contact law is vectorised at every level", "[vectorisation]") {
   const std::string folder = SCREE_TEST_PLUGINS "/contact/";
-  // Kernels, those that follow steps backwards in time twice, and those
-  // that follow onsets once more × dimensions × with and without audit.
+  // Kernels × dimensions × with and without audit. A kernel that follows steps backwards in time is compiled
+  // twice, and once more if it follows onsets.
   for (const auto& [law, loops] :
        {std::pair<std::string, std::size_t>{"linear_spring_dashpot", (24 + 16 + 4) * 2 * 2},
         {"hertz_mindlin", (8 + 6) * 2 * 2},

@@ -60,8 +60,8 @@ inline Returned<T> returned(const SlipStep<D, T>& in, const T& square) {
 //   k ξ + γ v_t = (C/|p|) (p + |p| γ/C v_t),   |p| = ½ L (1 + ξ²/L²) to second order,
 // which avoids waiting for the square root. damped = false: compiled without the dashpot.
 //
-// Backwards in time a slipping spring does not let go but stays at the limit, that of the earlier time. To
-// second order its direction there is that of b + h (v − (v·b)/b² b), v = ξ′ + s, with b = ξ − h v the spring
+// Backwards in time a slipping spring does not let go but stays at the limit of the earlier time. To
+// second order it has the direction of b + h (v − (v·b)/b² b), v = ξ′ + s, with b = ξ − h v the spring
 // at the later time and h < 0; the code computes b² times that.
 template <bool damped = true, int D, class T>
 inline Slip<D, T> slide_or_stick(const SlipStep<D, T>& in) {
