@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 namespace scree {
 
@@ -83,6 +84,41 @@ void ExactSum::add(const ExactSum& other) {
   for (std::size_t k = other.first_; k < other.end_; ++k) digits_[k] += other.digits_[k];
 }
 
+std::int64_t ExactSum::carry() {
+  std::int64_t over = 0;
+  for (std::size_t k = first_; k < end_; ++k) {
+    const std::int64_t digit = digits_[k] + over;
+    over = digit >> digit_bits;
+    digits_[k] = digit - (over << digit_bits);
+  }
+  return over;
+}
+
+// All digits, of which the last takes what is left over, and the numbers of NaN and of both infinities.
+void ExactSum::write(Words words) const {
+  ExactSum sum;
+  sum.add(*this);
+  sum.cover(0, digit_count);
+  const std::int64_t over = sum.carry();
+  std::copy(sum.digits_.begin(), sum.digits_.end(), words.begin());
+  words[digit_count - 1] += over * (std::int64_t(1) << digit_bits);
+  const double left = sum.not_finite_;
+  words[digit_count] = std::isnan(left);
+  words[digit_count + 1] = left > 0;
+  words[digit_count + 2] = left < 0;
+}
+
+double ExactSum::value_of(std::span<const std::int64_t, word_count> words) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const bool not_a_number = words[digit_count] > 0, up = words[digit_count + 1] > 0, down = words[digit_count + 2] > 0;
+  if (not_a_number || (up && down)) return std::numeric_limits<double>::quiet_NaN();
+  if (up || down) return up ? infinity : -infinity;
+  ExactSum sum;
+  sum.cover(0, digit_count);
+  std::copy_n(words.begin(), digit_count, sum.digits_.begin());
+  return sum.value();
+}
+
 double ExactSum::value() const {
   if (not_finite_ != 0) return not_finite_;
   if (first_ == end_) {
@@ -96,19 +132,10 @@ double ExactSum::value() const {
   sum.cover(sum.first_, std::min(sum.end_ + 2, digit_count));
   const std::size_t first = sum.first_, end = sum.end_;
   Digits& digits = sum.digits_;
-  const auto carry = [&] {
-    std::int64_t over = 0;
-    for (std::size_t k = first; k < end; ++k) {
-      const std::int64_t digit = digits[k] + over;
-      over = digit >> digit_bits;
-      digits[k] = digit - (over << digit_bits);
-    }
-    return over;
-  };
-  const bool negative = carry() < 0;
+  const bool negative = sum.carry() < 0;
   if (negative) {
     for (std::size_t k = first; k < end; ++k) digits[k] = -digits[k];
-    carry();
+    sum.carry();
   }
   std::size_t top = end;
   while (top > first && digits[top - 1] == 0) --top;

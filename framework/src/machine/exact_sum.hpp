@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace scree {
 
@@ -17,9 +18,17 @@ class ExactSum {
   // The exact sum rounded to the nearest double, ties to even.
   double value() const;
 
+  // The sum as integers: the integers of several sums, added one by one in any order, are those of the sum of
+  // these sums; up to 2^20 of them.
+  static constexpr std::size_t word_count = 71;
+  using Words = std::span<std::int64_t, word_count>;
+  void write(Words words) const;
+  static double value_of(std::span<const std::int64_t, word_count> words);
+
  private:
   __extension__ typedef __int128 Signed;
   static constexpr std::size_t digit_count = 68;
+  static_assert(word_count == digit_count + 3);
   using Digits = std::array<std::int64_t, digit_count>;
 
   // Adds mantissa · 2^(place − 1074) to the digits.
@@ -27,6 +36,8 @@ class ExactSum {
   void spill(Signed window, int place);
   // Extends [first_, end_) by zeros.
   void cover(std::size_t first, std::size_t end);
+  // Makes each digit at least 0 and below 2^32; returns what is left over behind the last one.
+  std::int64_t carry();
 
   // Terms of similar size: window_ · 2^(place_ − 1074).
   Signed window_ = 0;

@@ -66,10 +66,7 @@ template <int D, bool spin>
 SCREE_HOT void evaluate_tile(const TileJob& job) {
   constexpr std::size_t width = record::load_width(D, spin);
   const Tiles::Tile& tile = job.tiles->tiles()[job.tile];
-  const std::size_t planes_and_padding =
-      (job.tile + 1 < job.tiles->tiles().size() ? job.tiles->tiles()[job.tile + 1].first_foreign
-                                                : job.tiles->slots());
-  std::fill(job.slots + width * tile.first_foreign, job.slots + width * planes_and_padding, 0.0);
+  std::fill(job.slots + width * tile.first_foreign, job.slots + width * tile.last_own, 0.0);
   BlockColumns work;
   begin_batch(*job.input, work);
   BodiesAhead<D, spin> bodies(job, phases * (tile.last_block - tile.first_block));

@@ -47,6 +47,7 @@ void Tiles::count_slots(const Contacts& contacts, std::size_t planes) {
     foreign += slots_ - tile.first_foreign;
     tile.last_foreign = tile.first_own = slots_;
     slots_ += planes + 1;
+    tile.last_own = slots_;
   }
   outgoing_.resize(foreign);
   resize_with_room(slot_a_, contacts.padded_size());
@@ -85,12 +86,12 @@ void Tiles::list_foreign_bodies(std::uint32_t t) {
   sort_and_unite(tile.foreign);
 }
 
-void Tiles::sort_incoming() {
-  incoming_.resize(outgoing_.size());
+void Tiles::sort_incoming(std::span<const Incoming> loads) {
+  incoming_.resize(loads.size());
   counting_sort(
       bodies_.parts(), first_incoming_,
       [&](const auto& visit) {
-        for (const Incoming& in : outgoing_) visit(in);
+        for (const Incoming& in : loads) visit(in);
       },
       [](const Incoming& in) { return in.body / BodyTiles::part_size; },
       [&](const Incoming& in, std::size_t index) { incoming_[index] = in; });
@@ -107,7 +108,26 @@ void Tiles::plan(const Contacts& contacts, std::size_t planes, ThreadPool& threa
   });
   for (const Tile& tile : tiles_)
     for (const std::uint32_t other : tile.reached) ++tiles_[other].reached_by;
-  sort_incoming();
+  sort_incoming(outgoing_);
+}
+
+std::size_t Tiles::add_arrivals(const std::vector<Arrival>& arrivals) {
+  struct Load {
+    std::uint32_t tile;
+    Incoming incoming;
+  };
+  std::vector<Load> loads;
+  for (std::uint32_t t = 0; t < tiles_.size(); ++t)
+    for (const Incoming& out : outgoing(t)) loads.push_back({t, out});
+  const std::size_t first = slots_;
+  for (const Arrival& arrival : arrivals)
+    loads.push_back({arrival.tile, {arrival.body, std::uint32_t(slots_++)}});
+  std::stable_sort(loads.begin(), loads.end(),
+                   [](const Load& one, const Load& other) { return one.tile < other.tile; });
+  std::vector<Incoming> in_order;
+  for (const Load& load : loads) in_order.push_back(load.incoming);
+  sort_incoming(in_order);
+  return first;
 }
 
 }  // namespace scree::kernel

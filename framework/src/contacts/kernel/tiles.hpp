@@ -31,10 +31,14 @@ class Tiles {
   struct Incoming {
     std::uint32_t body, slot;
   };
+  // A load on a body that a tile of another rank computes.
+  struct Arrival {
+    std::uint32_t tile, body;
+  };
   struct Tile {
     std::size_t first_block, last_block;      // [first, last)
     std::size_t first_foreign, last_foreign;  // slots written for other tiles
-    std::size_t first_own;                    // slots of planes and padding
+    std::size_t first_own, last_own;          // slots of planes and padding: [first, last)
     std::size_t first_outgoing;               // of the slots for other tiles, counted over all tiles
     std::vector<std::uint32_t> foreign;       // bodies of other tiles that it reads, if exceed_caches()
     std::vector<std::uint32_t> reached;       // tiles whose bodies its pairs read and load, itself included
@@ -46,6 +50,10 @@ class Tiles {
   // Divides the pairs into blocks and assigns slots; must be called after each neighbour search.
   void plan(const Contacts& contacts, std::size_t planes, ThreadPool& threads);
 
+  // Makes slots behind all others for loads of pairs of other ranks, which count in the order of their tiles.
+  // Returns the first slot; they follow each other as given.
+  std::size_t add_arrivals(const std::vector<Arrival>& arrivals);
+
   const BodyTiles& bodies() const { return bodies_; }
 
   const std::vector<Tile>& tiles() const { return tiles_; }
@@ -56,6 +64,11 @@ class Tiles {
   // Slots of other tiles with loads for the bodies of a part, in the order of the pairs.
   std::span<const Incoming> incoming(std::size_t part) const {
     return {incoming_.data() + first_incoming_[part], incoming_.data() + first_incoming_[part + 1]};
+  }
+  // Slots of a tile with loads for bodies of other tiles.
+  std::span<const Incoming> outgoing(std::size_t tile) const {
+    const Tile& of = tiles_[tile];
+    return {outgoing_.data() + of.first_outgoing, of.last_foreign - of.first_foreign};
   }
   // Slots of both ends of each pair, padding included.
   const Column<std::uint32_t>& slot_a() const { return slot_a_; }
@@ -70,7 +83,8 @@ class Tiles {
   void count_slots(const Contacts& contacts, std::size_t planes);
   void assign_slots(const Contacts& contacts, std::size_t planes, std::uint32_t tile);
   void list_foreign_bodies(std::uint32_t tile);
-  void sort_incoming();
+  // loads: in the order in which they count.
+  void sort_incoming(std::span<const Incoming> loads);
 
   BodyTiles bodies_;
   std::size_t slots_ = 0;
