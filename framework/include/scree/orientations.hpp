@@ -23,6 +23,7 @@ class Orientations {
   // One component of all bodies.
   Strided<const double> operator[](int k) const { return {values_.data() + k, stride(), size_}; }
   const double* data() const { return values_.data(); }
+  double* data() { return values_.data(); }
   // Doubles per body: the components, and for each the part that rounding took from it.
   std::size_t stride() const { return 2 * std::size_t(components_); }
 

@@ -132,6 +132,9 @@ class Particles {
   // Copies rearranged bodies to where each is at the place of its number, into an earlier copy of them.
   void copy_in_scene_order(Particles& copy) const;
 
+  // Gives all ranks the state of all bodies, of which each has the bodies of its tiles.
+  void share(const struct RankShare& share);
+
   // Moves the bodies to centres (m) without jumps at periodic faces, at rest and without loads.
   void come_to_rest(std::span<const Vec3> centres, const Domain& domain);
 

@@ -21,6 +21,7 @@ namespace scree {
 class BodyForces;
 class Boundaries;
 class Contacts;
+class Ranks;
 struct SimulationParts;
 
 // Memory and degrees of freedom of a scene; it carries only what its laws need.
@@ -35,7 +36,8 @@ struct Footprint {
 class Simulation {
  public:
   // Sets up the scene and evaluates the forces at t = 0. Throws Error for an invalid scene.
-  explicit Simulation(const Scene& scene);
+  // ranks: that compute it together, each with the same scene and the same calls; or null.
+  explicit Simulation(const Scene& scene, Ranks* ranks = nullptr);
   // Goes on from a state of the same scene, to the same bits as if it had never stopped. The scene has the
   // bodies of the start (see scene_record.hpp) and the parameters of the present stage. Throws Error if the
   // state belongs to another scene.
@@ -156,6 +158,8 @@ class Simulation {
   // Takes one step; `observed`: the bodies must be complete at its end.
   void advance(bool observed, const std::function<void(double)>* after_substep = nullptr);
   void check_health(bool sound) const;
+  // Pairs that touch, and on request those that are apart but loaded.
+  ContactList contacts_of_all_ranks(bool loaded) const;
   void start_springs();
   void start_audits();
 

@@ -1,3 +1,5 @@
+#include "ranks/share_rows.hpp"
+
 #include <algorithm>
 
 #include <scree/particles.hpp>
@@ -93,6 +95,15 @@ void Particles::copy_in_scene_order(Particles& copy) const {
   });
   orientations.copy_in_scene_order(order_, copy.orientations);
   copy.order_ = {};
+}
+
+void Particles::share(const RankShare& share) {
+  const BodyTiles tiles(size());
+  share_rows(share, tiles, records_.data(), width());
+  share_rows(share, tiles, loads_.data(), load_width());
+  for (Column<std::int32_t>& column : image)
+    if (!column.empty()) share_rows(share, tiles, column.data(), 1);
+  if (orientations) share_rows(share, tiles, orientations.data(), orientations.stride());
 }
 
 void Particles::come_to_rest(std::span<const Vec3> centres, const Domain& domain) {

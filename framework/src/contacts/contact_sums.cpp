@@ -1,6 +1,6 @@
 #include "contacts/contact_sums.hpp"
 
-#include "machine/exact_sum.hpp"
+#include "ranks/rank_sums.hpp"
 
 #include <scree/state_transfer.hpp>
 
@@ -19,17 +19,20 @@ void ContactSums::transfer(const StateTransfer& state) {
   state.value("max_overlap_ratio", "1", max_overlap_ratio, stored::non_negative);
 }
 
-ContactSums total_of(const std::vector<ContactSums>& tiles) {
-  ContactSums total;
+void add_total(const std::vector<ContactSums>& tiles, ContactSums& total, RankSums& sums) {
+  if (tiles.size() == 1 && !sums.over_ranks()) {
+    total = tiles[0];
+    return;
+  }
   for (double ContactSums::*const member :
        {&ContactSums::elastic_normal, &ContactSums::elastic_tangential, &ContactSums::dissipation_rate_normal,
         &ContactSums::dissipation_rate_tangential, &ContactSums::dissipation_rate_rolling,
         &ContactSums::dissipated_friction, &ContactSums::dissipated_release, &ContactSums::created_power,
         &ContactSums::created})
-    total.*member = exact_sum(tiles, [&](const ContactSums& tile) { return tile.*member; });
+    sums.sum(total.*member, tiles, [&](const ContactSums& tile) { return tile.*member; });
+  total.max_overlap_ratio = 0;
   for (const ContactSums& tile : tiles)
     total.max_overlap_ratio = std::max(total.max_overlap_ratio, tile.max_overlap_ratio);
-  return total;
 }
 
 }  // namespace scree

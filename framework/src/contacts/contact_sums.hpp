@@ -5,6 +5,8 @@
 
 namespace scree {
 
+class RankSums;
+
 // Sums over all contacts in one evaluation. Dissipated columns sum the positive values only; the negative
 // values add up to the energy that the laws create.
 struct ContactSums {
@@ -20,7 +22,7 @@ struct ContactSums {
 };
 
 // The sum over tiles, exact before it is rounded: the same bits in any order.
-ContactSums total_of(const std::vector<ContactSums>& tiles);
+void add_total(const std::vector<ContactSums>& tiles, ContactSums& total, RankSums& sums);
 
 inline ContactSums& ContactSums::operator+=(const ContactSums& other) {
   elastic_normal += other.elastic_normal;

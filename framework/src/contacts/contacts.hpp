@@ -54,6 +54,13 @@ struct PairGroup {
   double history_of(std::size_t pair, std::uint32_t k) const { return history.column(k)[pair - begin]; }
 };
 
+// Pairs of bodies, and those of them whose bodies are in different tiles.
+struct CrossingPairs {
+  std::int64_t all = 0, crossing = 0;
+
+  double share() const { return all > 0 ? double(crossing) / double(all) : 0; }
+};
+
 // All candidate pairs of a scene in a fixed order, with the histories of their laws. The pairs change only in
 // a neighbour search; a pair touches while its overlap is positive. Bodies are listed by their places in
 // memory; of two bodies, a has the lower number, so that histories keep their sense when bodies are moved in
@@ -84,11 +91,15 @@ class Contacts {
   // After bodies have been moved in memory: each place has taken the body at the place `from[place]`.
   void rearrange(const std::vector<std::uint32_t>& from);
 
+  // Gives all ranks the pairs and histories of all, of which each has the pairs of its tiles, and further
+  // columns of all pairs, `width` of them.
+  void share(const struct RankShare& share, PairColumns& further, std::uint32_t width);
+
   // Number of pairs without padding.
   std::size_t listed() const;
-  // Share of the pairs of bodies whose bodies are in different tiles: now, or if the bodies were rearranged.
-  double crossing_share() const;
-  double crossing_share(const std::vector<std::uint32_t>& from) const;
+  // Pairs of bodies, and those whose bodies are in different tiles: now, or if the bodies were rearranged.
+  CrossingPairs crossing() const;
+  CrossingPairs crossing(const std::vector<std::uint32_t>& from) const;
 
   // The pairs of a group in the order of their numbers, a first.
   std::vector<std::size_t> in_scene_order(const PairGroup& group, const BodyOrder& order) const;
@@ -145,6 +156,9 @@ class Contacts {
   void set_pair(std::size_t index, std::uint32_t first, std::uint32_t second, std::uint8_t code) {
     a[index] = first, b[index] = second, image[index] = code;
   }
+  // Adds the pairs of a group on all ranks, and the numbers of each pair.
+  void share_group(const struct RankShare& share, const PairGroup& group, const PairColumns& further,
+                   std::vector<Listed>& pairs, std::vector<double>& numbers) const;
   void carry_histories(ThreadPool& threads);
   // Behind the bodies of a tile; without tiles, behind all.
   std::size_t end_of(std::size_t tile) const {

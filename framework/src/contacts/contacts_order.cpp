@@ -31,27 +31,27 @@ std::size_t Contacts::listed() const {
   return pairs;
 }
 
-double Contacts::crossing_share() const {
-  double pairs = 0, crossing = 0;
+CrossingPairs Contacts::crossing() const {
+  CrossingPairs pairs;
   for (const PairGroup& group : groups_) {
     if (group.planes) continue;
-    pairs += double(group.pairs);
-    for (const PairRun& run : group.runs) crossing += double(run.end - run.crossing);
+    pairs.all += std::int64_t(group.pairs);
+    for (const PairRun& run : group.runs) pairs.crossing += std::int64_t(run.end - run.crossing);
   }
-  return pairs > 0 ? crossing / pairs : 0;
+  return pairs;
 }
 
-double Contacts::crossing_share(const std::vector<std::uint32_t>& from) const {
+CrossingPairs Contacts::crossing(const std::vector<std::uint32_t>& from) const {
   std::vector<std::uint32_t> tile(from.size());
   for (std::size_t place = 0; place < from.size(); ++place)
     tile[from[place]] = std::uint32_t(tiles_.owner(place));
-  double pairs = 0, crossing = 0;
+  CrossingPairs pairs;
   for (const PairGroup& group : groups_) {
     if (group.planes) continue;
-    pairs += double(group.pairs);
-    group.each_pair([&](std::size_t q) { crossing += tile[a[q]] != tile[b[q]]; });
+    pairs.all += std::int64_t(group.pairs);
+    group.each_pair([&](std::size_t q) { pairs.crossing += tile[a[q]] != tile[b[q]]; });
   }
-  return pairs > 0 ? crossing / pairs : 0;
+  return pairs;
 }
 
 std::vector<std::size_t> Contacts::in_scene_order(const PairGroup& group, const BodyOrder& order) const {

@@ -3,30 +3,36 @@
 #include "contacts/kernel/block.hpp"
 #include "contacts/kernel/evaluate.hpp"
 #include "contacts/tile_schedule.hpp"
-#include "machine/exact_sum.hpp"
+#include "ranks/rank_share.hpp"
 
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 
 #include <scree/state_transfer.hpp>
 
 namespace scree {
 
 struct Forces::Work {
-  explicit Work(const Features& features) : evaluate(kernel::tile_evaluation(features)) {}
+  Work(const Features& features, const RankShare* share) : evaluate(kernel::tile_evaluation(features)) {
+    if (share) halo.emplace(*share);
+  }
 
   kernel::EvaluateTile evaluate;
   std::uint64_t revision = 0;  // of the contacts for which the members below were computed
   kernel::Tiles tiles;
+  std::vector<std::uint32_t> all_tiles;
   kernel::PlaneRecords planes;
   PairConstants constants;
   std::vector<ContactSums> tile_sums;
+  std::optional<Halo> halo;  // if several ranks compute the scene
   TileSchedule schedule;
   double max_overlap_ratio = 0;  // largest so far
 };
 
-Forces::Forces(const Features& features) : features_(features), work_(std::make_unique<Work>(features)) {}
+Forces::Forces(const Features& features, RankShare* share)
+    : features_(features), share_(share), work_(std::make_unique<Work>(features, share)) {}
 Forces::~Forces() = default;
 
 namespace {
@@ -52,11 +58,21 @@ void Forces::update_pairs(Particles& particles, const Contacts& contacts, std::u
   Work& work = *work_;
   if (work.revision == contacts.revision()) return;
   work.revision = contacts.revision();
-  if (work.tiles.bodies().size() != particles.size()) work.tiles = kernel::Tiles(particles.size());
-  work.tiles.plan(contacts, planes, threads);
+  if (work.tiles.bodies().size() != particles.size()) {
+    work.tiles = kernel::Tiles(particles.size());
+    work.all_tiles = TileOwners(work.tiles.bodies().count()).own();
+  }
+  work.tiles.plan(contacts, share_ ? share_->owners.own() : work.all_tiles, planes, threads);
   work.constants.update(contacts, particles, reads, features_.pair_forces, threads);
+  if (share_)
+    work.halo->plan(work.tiles, particles, reads & (1u << SCREE_ORIENTATION_A | 1u << SCREE_ORIENTATION_B));
   particles.set_load_rows(work.tiles.slots());
-  work.tile_sums.resize(work.tiles.tiles().size());
+  work.tile_sums.assign(work.tiles.tiles().size(), {});
+}
+
+void Forces::bring_bodies_of_others(Particles& particles) {
+  work_->halo->begin_records(particles);
+  work_->halo->finish_records(particles);
 }
 
 void Forces::clear(Particles& particles, BodyRange bodies) {
@@ -64,8 +80,8 @@ void Forces::clear(Particles& particles, BodyRange bodies) {
   std::fill(particles.loads() + bodies.begin * width, particles.loads() + bodies.end * width, 0.0);
 }
 
-ContactSums Forces::evaluate(const Evaluation& e, ThreadPool& threads, const FinishPart& finish_part,
-                             Profile* profile) {
+void Forces::evaluate(const Evaluation& e, ThreadPool& threads, const FinishPart& finish_part, RankSums& sums,
+                      ContactSums& total, Profile* profile) {
   Work& work = *work_;
   Laps laps_of_search(profile);
   update_pairs(e.particles, e.contacts, reads_of(e.laws), e.planes.size(), threads);
@@ -85,29 +101,33 @@ ContactSums Forces::evaluate(const Evaluation& e, ThreadPool& threads, const Fin
                                          .audit = features_.audit,
                                          .pair_forces = features_.pair_forces,
                                          .max_overlap_ratio = work.max_overlap_ratio};
-  work.schedule.run(
-      work.tiles, threads,
-      [&](std::size_t tile, unsigned worker) {
-        work.evaluate({.input = &input,
-                       .tiles = &work.tiles,
-                       .tile = tile,
-                       .groups = &e.contacts.groups(),
-                       .laws = e.laws.data(),
-                       .constants = &work.constants,
-                       .slots = e.particles.loads(),
-                       .sums = work.tile_sums.data(),
-                       .profile = worker == 0 ? profile : nullptr});
-      },
-      [&](std::size_t part, unsigned worker) {
-        Laps laps(worker == 0 ? profile : nullptr);
-        collect(e.particles, part);
-        laps.lap(Profile::reduce);
-        finish_part(part, worker);
-      });
-  sum_loads(e.particles, e.loads);
-  ContactSums sums = work.tile_sums.size() == 1 ? work.tile_sums[0] : total_of(work.tile_sums);
-  work.max_overlap_ratio = sums.max_overlap_ratio = std::max(work.max_overlap_ratio, sums.max_overlap_ratio);
-  return sums;
+  const auto evaluate_tile = [&](std::size_t tile, unsigned worker) {
+    work.evaluate({.input = &input,
+                   .tiles = &work.tiles,
+                   .tile = tile,
+                   .groups = &e.contacts.groups(),
+                   .laws = e.laws.data(),
+                   .constants = &work.constants,
+                   .slots = e.particles.loads(),
+                   .sums = work.tile_sums.data(),
+                   .profile = worker == 0 ? profile : nullptr});
+  };
+  const auto finish = [&](std::size_t part, unsigned worker) {
+    Laps laps(worker == 0 ? profile : nullptr);
+    collect(e.particles, part);
+    laps.lap(Profile::reduce);
+    finish_part(part, worker);
+  };
+  if (share_)
+    work.schedule.run_share(work.tiles, share_->owners.own(), *work.halo, e.particles, threads, evaluate_tile,
+                            finish);
+  else
+    work.schedule.run(work.tiles, threads, evaluate_tile, finish);
+  sum_loads(e.particles, e.loads, sums);
+  add_total(work.tile_sums, total, sums);
+  work.max_overlap_ratio = std::max(work.max_overlap_ratio, total.max_overlap_ratio);
+  total.max_overlap_ratio = work.max_overlap_ratio;
+  sums.largest(total.max_overlap_ratio);
 }
 
 void Forces::collect(Particles& particles, std::size_t part) const {
@@ -118,7 +138,7 @@ void Forces::collect(Particles& particles, std::size_t part) const {
       kernel::add_four(loads + in.body * width + k, kernel::load_four(loads + in.slot * width + k));
 }
 
-void Forces::sum_loads(const Particles& particles, std::vector<scree_load>& loads) const {
+void Forces::sum_loads(const Particles& particles, std::vector<scree_load>& loads, RankSums& sums) const {
   const std::vector<kernel::Tiles::Tile>& tiles = work_->tiles.tiles();
   const std::size_t width = particles.load_width();
   const int components = features_.dimension;
@@ -127,52 +147,69 @@ void Forces::sum_loads(const Particles& particles, std::vector<scree_load>& load
       return particles.loads() + (tile.first_own + plane) * width;
     };
     double* const load = loads[plane].force;
-    if (tiles.size() == 1) {
+    if (tiles.size() == 1 && !share_) {
       const double* const only = slot(tiles[0]);
       load[0] = only[0], load[1] = only[1], load[2] = components == 3 ? only[2] : 0;
       continue;
     }
     load[2] = 0;
     for (int k = 0; k < components; ++k)
-      load[k] = exact_sum(tiles, [&](const kernel::Tiles::Tile& tile) { return slot(tile)[k]; });
+      sums.sum(load[k], tiles, [&](const kernel::Tiles::Tile& tile) {
+        return share_ && !share_->owners.is_own(std::size_t(&tile - tiles.data())) ? 0.0 : slot(tile)[k];
+      });
   }
 }
 
-Vec3 Forces::pair_force(std::size_t p) const {
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  if (!features_.pair_forces) return {{unknown, unknown, unknown}};
-  Vec3 force = {};
-  for (int k = 0; k < features_.dimension; ++k) force[k] = work_->constants.force.column(std::uint32_t(k))[p];
-  return force;
-}
+const PairColumns& Forces::pair_forces() const { return work_->constants.force; }
 
 std::size_t Forces::bytes_per_pair() const {
   return work_->constants.bytes_per_pair() + 4 * sizeof(std::uint32_t) + sizeof(std::uint8_t);
 }
 
-void Forces::transfer(const StateTransfer& state, Particles& particles, const Contacts& contacts,
-                      const std::vector<LawInstance>& laws, std::size_t planes, ThreadPool& threads) {
+namespace {
+
+constexpr std::uint32_t padding = ~std::uint32_t(0);
+
+// The pairs of all groups in scene order, each group filled up to whole lanes.
+std::vector<std::uint32_t> in_order_of_state(const Contacts& contacts, const BodyOrder& order) {
+  std::vector<std::uint32_t> pairs;
+  for (const PairGroup& group : contacts.groups()) {
+    for (const std::size_t q : contacts.in_scene_order(group, order)) pairs.push_back(std::uint32_t(q));
+    pairs.resize(padded_to_lanes(pairs.size()), padding);
+  }
+  return pairs;
+}
+
+}  // namespace
+
+void Forces::save(const StateTransfer& state, const BodyOrder& order, const Contacts& contacts,
+                  const PairColumns& forces) const {
+  double max_overlap_ratio = work_->max_overlap_ratio;
+  state.value("max_overlap_ratio", "1", max_overlap_ratio, stored::non_negative);
+  if (!features_.pair_forces) return;
+  const std::vector<std::uint32_t> pairs = in_order_of_state(contacts, order);
+  std::vector<std::uint32_t> rows, stored;
+  for (std::uint32_t row = 0; row < pairs.size(); ++row)
+    if (pairs[row] != padding && forces.is_used(pairs[row]))
+      rows.push_back(row), stored.push_back(pairs[row]);
+  state.rows("force_row", "", rows);
+  PairColumns(forces).transfer(state, "force", "N", stored);
+}
+
+void Forces::restore(const StateTransfer& state, Particles& particles, const Contacts& contacts,
+                     const std::vector<LawInstance>& laws, std::size_t planes, ThreadPool& threads) {
   update_pairs(particles, contacts, reads_of(laws), planes, threads);
   state.value("max_overlap_ratio", "1", work_->max_overlap_ratio, stored::non_negative);
   if (!features_.pair_forces) return;
-  PairColumns& force = work_->constants.force;
-  // Counted through the pairs of all groups in scene order, each group filled up to whole lanes.
-  constexpr std::uint32_t padding = ~std::uint32_t(0);
-  std::vector<std::uint32_t> pairs, rows, stored;
-  for (const PairGroup& group : contacts.groups()) {
-    for (const std::size_t q : contacts.in_scene_order(group, particles.order()))
-      pairs.push_back(std::uint32_t(q));
-    pairs.resize(padded_to_lanes(pairs.size()), padding);
-  }
-  for (std::uint32_t row = 0; !state.restoring() && row < pairs.size(); ++row)
-    if (pairs[row] != padding && force.is_used(pairs[row])) rows.push_back(row);
+  const std::vector<std::uint32_t> pairs = in_order_of_state(contacts, particles.order());
+  std::vector<std::uint32_t> rows, stored;
   state.rows("force_row", "", rows);
   for (const std::uint32_t row : rows) {
     if (row >= pairs.size() || pairs[row] == padding)
       state.refuse("force_row", "lists a pair that there is not");
     stored.push_back(pairs[row]);
   }
-  force.transfer(state, "force", "N", stored);
+  work_->constants.force.transfer(state, "force", "N", stored);
 }
 
 bool Forces::are_in(const State& state) { return state.has("contacts/force_row"); }

@@ -5,6 +5,7 @@
 #include "contacts/contacts.hpp"
 #include "contacts/onset.hpp"
 #include "contacts/pair_constants.hpp"
+#include "ranks/rank_sums.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -18,6 +19,8 @@
 #include <scree/thread_pool.hpp>
 
 namespace scree {
+
+struct RankShare;
 
 // A configured contact law.
 struct LawInstance {
@@ -41,7 +44,8 @@ class Forces {
     bool pair_forces = true;  // per-contact forces are stored
   };
 
-  explicit Forces(const Features& features);
+  // share: of this rank if several compute the scene, or null.
+  explicit Forces(const Features& features, RankShare* share = nullptr);
   ~Forces();
 
   // Input and output of one evaluation: adds to the loads of bodies, sets the loads of planes.
@@ -62,31 +66,40 @@ class Forces {
   const Features& features() const { return features_; }
   // Sets the loads of bodies to 0; must be called for all bodies before an evaluation.
   static void clear(Particles& particles, BodyRange bodies);
-  ContactSums evaluate(const Evaluation& evaluation, ThreadPool& threads, const FinishPart& finish_part,
-                       Profile* profile = nullptr);
+  // Evaluates all pairs, or those of this rank. Loads of planes and `total` are set when `sums` is closed.
+  void evaluate(const Evaluation& evaluation, ThreadPool& threads, const FinishPart& finish_part,
+                RankSums& sums, ContactSums& total, Profile* profile = nullptr);
+
+  // Brings records of bodies of other ranks that pairs of this rank read, between evaluations.
+  void bring_bodies_of_others(Particles& particles);
 
   // Makes room for the listed pairs, as an evaluation does first; their forces are 0.
   void update_pairs(Particles& particles, const Contacts& contacts, std::uint32_t reads, std::size_t planes,
                     ThreadPool& threads);
 
-  // Forces of pairs in the last evaluation, and the largest overlap so far.
-  void transfer(const class StateTransfer& state, Particles& particles, const Contacts& contacts,
-                const std::vector<LawInstance>& laws, std::size_t planes, ThreadPool& threads);
+  // Forces of pairs in the last evaluation, and the largest overlap so far; `forces` if these are pairs of
+  // all ranks.
+  void save(const class StateTransfer& state, const BodyOrder& order, const Contacts& contacts,
+            const PairColumns& forces) const;
+  void restore(const class StateTransfer& state, Particles& particles, const Contacts& contacts,
+               const std::vector<LawInstance>& laws, std::size_t planes, ThreadPool& threads);
 
   // Whether a state has the forces of pairs.
   static bool are_in(const class State& state);
 
-  // Force on a of pair p in the last evaluation (N), z = 0 in 2D; NaN if pair forces are not stored.
-  Vec3 pair_force(std::size_t p) const;
+  // Force on a of each pair in the last evaluation (N); no columns if pair forces are not stored.
+  const PairColumns& pair_forces() const;
+  std::uint32_t columns() const { return features_.pair_forces ? std::uint32_t(features_.dimension) : 0; }
   std::size_t bytes_per_pair() const;
 
  private:
   struct Work;
   // Adds the loads that other tiles have computed for the bodies of a part.
   void collect(Particles& particles, std::size_t part) const;
-  void sum_loads(const Particles& particles, std::vector<scree_load>& loads) const;
+  void sum_loads(const Particles& particles, std::vector<scree_load>& loads, RankSums& sums) const;
 
   Features features_;
+  RankShare* share_;
   std::unique_ptr<Work> work_;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "contacts/halo.hpp"
 #include "contacts/kernel/tiles.hpp"
 
 #include <atomic>
@@ -30,6 +31,40 @@ class TileSchedule {
     }
   }
 
+  // The same for the tiles of one rank: those that read no bodies of other ranks while the records of such
+  // bodies come, and parts that no pair of other ranks loads while their loads come.
+  template <class EvaluateTile, class FinishPart>
+  void run_share(const kernel::Tiles& tiles, const std::vector<std::uint32_t>& own, Halo& halo,
+                 Particles& particles, ThreadPool& threads, const EvaluateTile& evaluate_tile,
+                 const FinishPart& finish_part) {
+    std::vector<std::uint32_t> inner, outer, loaded;
+    for (const std::uint32_t tile : own) {
+      (halo.reads_others(tile) ? outer : inner).push_back(tile);
+      if (halo.is_loaded_by_others(tile)) loaded.push_back(tile);
+    }
+    reset_pending(tiles);
+    for (const std::uint32_t tile : loaded) pending_[tile].fetch_add(1, std::memory_order_relaxed);
+    const auto evaluate = [&](const std::vector<std::uint32_t>& some) {
+      threads.each(some.size(), [&](std::size_t k, unsigned worker) {
+        evaluate_and_finish(tiles, some[k], worker, evaluate_tile, finish_part);
+      });
+    };
+    const auto finish_remaining = [&] {
+      threads.each(own.size(), [&](std::size_t k, unsigned worker) {
+        finish_if_ready(tiles, own[k], worker, finish_part);
+      });
+    };
+    halo.begin_records(particles);
+    evaluate(inner);
+    halo.finish_records(particles);
+    evaluate(outer);
+    halo.begin_loads(particles);
+    finish_remaining();
+    halo.finish_loads();
+    for (const std::uint32_t tile : loaded) pending_[tile].fetch_sub(1, std::memory_order_relaxed);
+    finish_remaining();
+  }
+
  private:
   // With fewer tiles per thread, the first threads would also finish parts while the last ones wait for them.
   static constexpr std::size_t tiles_per_thread = 8;
@@ -52,18 +87,28 @@ class TileSchedule {
                     const FinishPart& finish_part) {
     const std::size_t count = tiles.tiles().size();
     reset_pending(tiles);
-    const auto finish_if_ready = [&](std::size_t tile, unsigned worker) {
-      std::uint32_t none = 0;
-      if (pending_[tile].compare_exchange_strong(none, finished, std::memory_order_acq_rel))
-        tiles.bodies().each_part(tile, [&](std::size_t part) { finish_part(part, worker); });
-    };
     threads.each(count, [&](std::size_t tile, unsigned worker) {
-      evaluate_tile(tile, worker);
-      for (const std::uint32_t reached : tiles.tiles()[tile].reached)
-        pending_[reached].fetch_sub(1, std::memory_order_acq_rel);
-      finish_if_ready(tile, worker);
+      evaluate_and_finish(tiles, tile, worker, evaluate_tile, finish_part);
     });
-    threads.each(count, finish_if_ready);
+    threads.each(
+        count, [&](std::size_t tile, unsigned worker) { finish_if_ready(tiles, tile, worker, finish_part); });
+  }
+
+  template <class EvaluateTile, class FinishPart>
+  void evaluate_and_finish(const kernel::Tiles& tiles, std::size_t tile, unsigned worker,
+                           const EvaluateTile& evaluate_tile, const FinishPart& finish_part) {
+    evaluate_tile(tile, worker);
+    for (const std::uint32_t reached : tiles.tiles()[tile].reached)
+      pending_[reached].fetch_sub(1, std::memory_order_acq_rel);
+    finish_if_ready(tiles, tile, worker, finish_part);
+  }
+
+  template <class FinishPart>
+  void finish_if_ready(const kernel::Tiles& tiles, std::size_t tile, unsigned worker,
+                       const FinishPart& finish_part) {
+    std::uint32_t none = 0;
+    if (pending_[tile].compare_exchange_strong(none, finished, std::memory_order_acq_rel))
+      tiles.bodies().each_part(tile, [&](std::size_t part) { finish_part(part, worker); });
   }
 
   void reset_pending(const kernel::Tiles& tiles) {

@@ -1,5 +1,7 @@
 #include "contacts/touching_contacts.hpp"
 
+#include <limits>
+
 namespace scree {
 
 namespace {
@@ -10,8 +12,17 @@ Vec3 position(const Particles& p, std::size_t i) {
   return x;
 }
 
-bool is_loaded(const Forces& forces, std::size_t pair) {
-  const Vec3 force = forces.pair_force(pair);
+// NaN if the forces of pairs are not stored.
+Vec3 force_of(const PairColumns& forces, std::size_t pair) {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  if (forces.width() == 0) return {{unknown, unknown, unknown}};
+  Vec3 force = {};
+  for (std::uint32_t k = 0; k < forces.width(); ++k) force[int(k)] = forces.column(k)[pair];
+  return force;
+}
+
+bool is_loaded(const PairColumns& forces, std::size_t pair) {
+  const Vec3 force = force_of(forces, pair);
   return dot(force, force) > 0;
 }
 
@@ -21,7 +32,7 @@ void append(std::vector<double>& columns, const Vec3& v) {
 
 }  // namespace
 
-ContactList touching_contacts(const Particles& p, const Contacts& contacts, const Forces& forces,
+ContactList touching_contacts(const Particles& p, const Contacts& contacts, const PairColumns& forces,
                               const std::vector<LawInstance>& laws, const std::vector<scree_plane>& planes,
                               const Domain& domain, ListedPairs listed) {
   const BodyOrder& order = p.order();
@@ -47,7 +58,7 @@ ContactList touching_contacts(const Particles& p, const Contacts& contacts, cons
       list.a.push_back(order.number(a));
       list.b.push_back(group.planes ? std::uint32_t(p.size()) + b : order.number(b));
       append(list.normal, normal);
-      append(list.force, forces.pair_force(q));
+      append(list.force, force_of(forces, q));
       list.overlap.push_back(reach - distance);
       list.sliding.push_back(sliding_column >= 0 && group.history_width > std::uint32_t(sliding_column) &&
                              group.history_of(q, std::uint32_t(sliding_column)) > 0);

@@ -14,8 +14,8 @@ namespace scree {
 // evaluation, at other positions, found a force; their overlap may be below 0.
 enum class ListedPairs { touching, touching_or_loaded };
 
-// Pairs at the present positions, with the forces of the last evaluation.
-ContactList touching_contacts(const Particles& particles, const Contacts& contacts, const Forces& forces,
+// Pairs at the present positions, with the forces (N) of the last evaluation.
+ContactList touching_contacts(const Particles& particles, const Contacts& contacts, const PairColumns& forces,
                               const std::vector<LawInstance>& laws, const std::vector<scree_plane>& planes,
                               const Domain& domain, ListedPairs listed = ListedPairs::touching);
 

@@ -110,7 +110,8 @@ void ExactSum::write(Words words) const {
 
 double ExactSum::value_of(std::span<const std::int64_t, word_count> words) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  const bool not_a_number = words[digit_count] > 0, up = words[digit_count + 1] > 0, down = words[digit_count + 2] > 0;
+  const bool not_a_number = words[digit_count] > 0, up = words[digit_count + 1] > 0,
+             down = words[digit_count + 2] > 0;
   if (not_a_number || (up && down)) return std::numeric_limits<double>::quiet_NaN();
   if (up || down) return up ? infinity : -infinity;
   ExactSum sum;

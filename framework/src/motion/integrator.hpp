@@ -14,6 +14,8 @@
 
 namespace scree {
 
+struct RankShare;
+
 // Moves bodies, in translation and rotation, before and after each force evaluation. Velocity-dependent
 // forces use a prediction for the time of evaluation, made with the forces of the last evaluation; tangential
 // springs advance with mid_velocity, the displacement since the last evaluation divided by the time since.
@@ -46,6 +48,8 @@ class Integrator {
   // What the integrator keeps besides positions and velocities, in scene order; nothing by default.
   virtual void add_to_hash(StateHash&, const BodyOrder&) const {}
   virtual void transfer(const StateTransfer&, const BodyOrder&) {}
+  // Gives all ranks the numbers of all bodies, see Particles::share.
+  virtual void share(const RankShare&, std::size_t /*bodies*/) {}
   // Moves the bodies in memory, see Particles::rearrange.
   virtual void rearrange(const std::vector<std::uint32_t>& /*from*/) {}
 };

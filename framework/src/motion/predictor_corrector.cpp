@@ -1,6 +1,7 @@
 #include "motion/predictor_corrector.hpp"
 
 #include "motion/motion.hpp"
+#include "ranks/share_rows.hpp"
 
 #include <utility>
 
@@ -88,6 +89,11 @@ void PredictorCorrector::transfer(const StateTransfer& state, const BodyOrder& o
   transfer_column("second", second_);
   transfer_column("third", third_);
   transfer_column("fourth", fourth_);
+}
+
+void PredictorCorrector::share(const RankShare& share, std::size_t bodies) {
+  for (auto* column : {&second_, &third_, &fourth_})
+    if (!column->empty()) share_rows(share, BodyTiles(bodies), column->data(), column->size() / bodies);
 }
 
 void PredictorCorrector::rearrange(const std::vector<std::uint32_t>& from) {

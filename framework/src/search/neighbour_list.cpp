@@ -1,11 +1,15 @@
 #include "search/neighbour_list.hpp"
 
+#include "ranks/bodies_near.hpp"
+#include "ranks/rank_sums.hpp"
+#include "ranks/share_rows.hpp"
 #include "walls/plane_transfer.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include <scree/spatial_order.hpp>
@@ -36,26 +40,40 @@ void fold(Particles& p, std::size_t i, const Domain& domain) {
   }
 }
 
-// Visits every n-th pair of a group, with the number of pairs for which it stands.
+// Pairs of each tile of a group, of which each rank lists those of its own.
+std::vector<std::int64_t> pairs_of_tiles(const PairGroup& group, Ranks* ranks) {
+  std::vector<std::int64_t> pairs;
+  for (const PairRun& run : group.runs) pairs.push_back(std::int64_t(run.end - run.begin));
+  if (ranks) ranks->combine({}, pairs);
+  return pairs;
+}
+
+// Visits every n-th pair of a group, counted over the pairs of all tiles, with the number of pairs for which
+// it stands; n is such that there are about as many samples as wanted.
 template <class Visit>
-void sample(const PairGroup& group, std::size_t n, const Visit& visit) {
-  std::size_t before = 0, next = 0;  // counted over all runs
-  for (const PairRun& run : group.runs) {
-    const std::size_t pairs = run.end - run.begin;
-    for (; next < before + pairs; next += n)
-      visit(run.begin + (next - before), double(std::min(n, group.pairs - next)));
-    before += pairs;
+void sample(const PairGroup& group, const std::vector<std::int64_t>& pairs, std::size_t wanted,
+            const Visit& visit) {
+  const auto all = std::size_t(std::accumulate(pairs.begin(), pairs.end(), std::int64_t(0)));
+  const std::size_t n = 1 + all / wanted;
+  std::size_t before = 0, next = 0;
+  for (std::size_t t = 0; t < pairs.size(); ++t) {
+    const PairRun& run = group.runs[t];
+    for (; next < before + std::size_t(pairs[t]); next += n)
+      if (run.end > run.begin) visit(run.begin + (next - before), std::int64_t(std::min(n, all - next)));
+    before += std::size_t(pairs[t]);
   }
 }
 
 // Numbers of listed and of touching pairs of bodies, the latter estimated from a few thousand samples.
-std::pair<double, double> count_pairs(const Particles& p, const Contacts& contacts, const Domain& domain) {
+std::pair<double, double> count_pairs(const Particles& p, const Contacts& contacts, const Domain& domain,
+                                      Ranks* ranks) {
   constexpr std::size_t max_samples = 2500;
-  double listed = 0, touching = 0;
+  std::int64_t listed = 0, touching = 0;
   for (const PairGroup& group : contacts.groups()) {
     if (group.planes) continue;
-    listed += double(group.pairs);
-    sample(group, 1 + group.pairs / max_samples, [&](std::size_t q, double stands_for) {
+    const std::vector<std::int64_t> pairs = pairs_of_tiles(group, ranks);
+    listed += std::accumulate(pairs.begin(), pairs.end(), std::int64_t(0));
+    sample(group, pairs, max_samples, [&](std::size_t q, std::int64_t stands_for) {
       const std::uint32_t a = contacts.a[q], b = contacts.b[q];
       const Vec3 shift = domain.shift(contacts.image[q]);
       const double reach = p.radius()[a] + p.radius()[b];
@@ -67,7 +85,8 @@ std::pair<double, double> count_pairs(const Particles& p, const Contacts& contac
       touching += square < reach * reach ? stands_for : 0;
     });
   }
-  return {listed, touching};
+  if (ranks) ranks->combine({}, {&touching, 1});
+  return {double(listed), double(touching)};
 }
 
 // Two fixed bodies exert no force on each other, however much they overlap. Empty if no body is fixed.
@@ -79,11 +98,10 @@ std::vector<NeighbourPair> without_fixed_pairs(const std::vector<NeighbourPair>&
   return pairs;
 }
 
-std::vector<PlanePair> near_planes(std::span<const Sphere> bodies, const Boundaries& boundaries,
-                                   int dimension, double skin) {
+void add_near_planes(std::span<const Sphere> bodies, BodyRange range, const Boundaries& boundaries,
+                     int dimension, double skin, std::vector<PlanePair>& pairs) {
   const std::vector<scree_plane>& planes = boundaries.planes();
-  std::vector<PlanePair> pairs;
-  for (std::uint32_t i = 0; i < bodies.size(); ++i)
+  for (std::uint32_t i = std::uint32_t(range.begin); i < range.end; ++i)
     for (std::uint32_t w = 0; w < planes.size(); ++w) {
       if (boundaries.absent()[w]) continue;
       double height = 0;
@@ -91,7 +109,6 @@ std::vector<PlanePair> near_planes(std::span<const Sphere> bodies, const Boundar
         height += (bodies[i].position[k] - planes[w].point[k]) * planes[w].normal[k];
       if (height < bodies[i].radius + skin) pairs.push_back({i, w});
     }
-  return pairs;
 }
 
 }  // namespace
@@ -128,7 +145,8 @@ void NeighbourList::extend(double body_travel, double plane_reach, Particles& pa
 SkinChoice::ListStatistics NeighbourList::list_statistics(const Particles& particles,
                                                           const Boundaries& boundaries,
                                                           const Contacts& contacts) const {
-  const auto [listed, touching] = count_pairs(particles, contacts, boundaries.domain());
+  if (share_) bring_others_();
+  const auto [listed, touching] = count_pairs(particles, contacts, boundaries.domain(), ranks());
   const double travelled = std::max(body_travel_, plane_travel_);
   return {skin_, travelled, steps_, listed, touching, double(particles.size())};
 }
@@ -136,7 +154,9 @@ SkinChoice::ListStatistics NeighbourList::list_statistics(const Particles& parti
 void NeighbourList::measure(const Particles& p, const Boundaries& boundaries, ThreadPool& threads) {
   const BodyTiles tiles(p.size());
   std::vector<double> largest(tiles.count());
-  threads.each(tiles.count(), [&](std::size_t t, unsigned) {
+  const std::vector<std::uint32_t> own = own_tiles(p.size());
+  threads.each(own.size(), [&](std::size_t item, unsigned) {
+    const std::uint32_t t = own[item];
     double largest_square = 0;
     for (std::size_t i = tiles[t].begin; i < tiles[t].end; ++i) {
       double square = 0;
@@ -148,7 +168,11 @@ void NeighbourList::measure(const Particles& p, const Boundaries& boundaries, Th
     }
     largest[t] = largest_square;
   });
-  body_travel_ = std::sqrt(*std::max_element(largest.begin(), largest.end()));
+  double square = *std::max_element(largest.begin(), largest.end());
+  RankSums sums(ranks());
+  sums.largest(square);
+  sums.close();
+  body_travel_ = std::sqrt(square);
   plane_travel_ = 0;
   for (std::size_t w = 0; w < planes_at_search_.size(); ++w) {
     double moved = 0;
@@ -161,7 +185,9 @@ void NeighbourList::measure(const Particles& p, const Boundaries& boundaries, Th
 void NeighbourList::record_positions(Particles& p, const Domain& domain, ThreadPool& threads) {
   bodies_at_search_.resize(p.size());
   const BodyTiles tiles(p.size());
-  threads.each(tiles.count(), [&](std::size_t t, unsigned) {
+  const std::vector<std::uint32_t> own = own_tiles(p.size());
+  threads.each(own.size(), [&](std::size_t item, unsigned) {
+    const std::uint32_t t = own[item];
     for (std::size_t i = tiles[t].begin; i < tiles[t].end; ++i) {
       if (domain.any_periodic()) fold(p, i, domain);
       bodies_at_search_[i] = {{}, p.radius()[i]};
@@ -182,12 +208,14 @@ void NeighbourList::search(double moved, Particles& particles, const Boundaries&
   lookup.body_material = particles.material.data();
   lookup.plane_material = boundaries.plane_materials().data();
   const int dimension = particles.dimension();
-  const std::vector<NeighbourPair>& found =
-      search_.find(bodies_at_search_, dimension, boundaries.domain(), skin_, moved, threads);
+  const std::vector<NeighbourPair>& found = find_pairs(moved, particles, boundaries.domain(), threads);
   const std::vector<NeighbourPair> some = without_fixed_pairs(found, particles);
+  std::vector<PlanePair> near_planes;
+  for (const std::uint32_t tile : own_tiles(particles.size()))
+    add_near_planes(bodies_at_search_, BodyTiles(particles.size())[tile], boundaries, dimension, skin_,
+                    near_planes);
   contacts.rebuild(particles.fixed.empty() ? found : some,  // no copy of what was found
-                   near_planes(bodies_at_search_, boundaries, dimension, skin_), lookup, particles.order(),
-                   threads);
+                   near_planes, lookup, particles.order(), threads);
   planes_at_search_ = boundaries.planes();
   absent_at_search_ = boundaries.absent();
   body_travel_ = plane_travel_ = 0;
@@ -196,13 +224,54 @@ void NeighbourList::search(double moved, Particles& particles, const Boundaries&
   compare_order(contacts, dimension);
 }
 
+std::vector<std::uint32_t> NeighbourList::own_tiles(std::size_t bodies) const {
+  if (share_) return share_->owners.own();
+  std::vector<std::uint32_t> all(BodyTiles(bodies).count());
+  std::iota(all.begin(), all.end(), 0u);
+  return all;
+}
+
+const std::vector<NeighbourPair>& NeighbourList::find_pairs(double moved, const Particles& particles,
+                                                            const Domain& domain, ThreadPool& threads) {
+  if (!share_) return search_.find(bodies_at_search_, particles.dimension(), domain, skin_, moved, threads);
+  find_own_pairs(particles.dimension(), domain, threads);
+  return own_pairs_;
+}
+
+void NeighbourList::find_own_pairs(int dimension, const Domain& domain, ThreadPool& threads) {
+  const NearBodies near = find_near_bodies(*share_, bodies_at_search_, domain, skin_);
+  const BodyTiles tiles(bodies_at_search_.size());
+  own_pairs_.clear();
+  for (const NeighbourPair& pair : search_of_share_.find(near.spheres, dimension, domain, skin_, threads))
+    if (share_->owners.is_own(tiles.owner(near.places[pair.a])))
+      own_pairs_.push_back({near.places[pair.a], near.places[pair.b], pair.image});
+}
+
+namespace {
+
+// Share of the pairs of all ranks that cross tiles.
+double share_of(CrossingPairs pairs, Ranks* ranks) {
+  RankSums sums(ranks);
+  sums.total(pairs.all);
+  sums.total(pairs.crossing);
+  sums.close();
+  return pairs.share();
+}
+
+}  // namespace
+
 void NeighbourList::compare_order(const Contacts& contacts, int dimension) {
   better_order_.clear();
-  const double share = contacts.crossing_share();
+  const double share = share_of(contacts.crossing(), ranks());
   if (share <= std::max(worn_ratio * crossing_when_sorted_, least_worn_share)) return;
+  if (share_) this->share();
   std::vector<std::uint32_t> sorted = spatial_order(bodies_at_search_, dimension);
-  crossing_when_sorted_ = contacts.crossing_share(sorted);
+  crossing_when_sorted_ = share_of(contacts.crossing(sorted), ranks());
   if (share > worn_ratio * crossing_when_sorted_) better_order_ = std::move(sorted);
+}
+
+void NeighbourList::share() {
+  share_rows(*share_, BodyTiles(bodies_at_search_.size()), bodies_at_search_.data(), 1);
 }
 
 void NeighbourList::rearrange(const std::vector<std::uint32_t>& from) {

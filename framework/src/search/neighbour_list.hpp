@@ -1,11 +1,14 @@
 #pragma once
 
 #include "contacts/contacts.hpp"
+#include "ranks/rank_share.hpp"
 #include "search/repeated_search.hpp"
 #include "search/skin_choice.hpp"
 #include "walls/boundaries.hpp"
 
 #include <cstdint>
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include <scree/pair_search.hpp>
@@ -19,8 +22,15 @@ namespace scree {
 class NeighbourList {
  public:
   // skin: of the first search (m); it may grow to max_skin (m) if that costs less. max_skin = 0: fixed.
-  NeighbourList(double skin, double max_skin, Contacts::Lookup lookup)
-      : skin_(skin), choice_(skin, max_skin), lookup_(lookup) {}
+  // share: of this rank if several compute the scene; it lists the pairs of its tiles alone.
+  // bring_others: brings the bodies of other ranks that listed pairs have.
+  NeighbourList(double skin, double max_skin, Contacts::Lookup lookup, RankShare* share = nullptr,
+                std::function<void()> bring_others = {})
+      : skin_(skin),
+        choice_(skin, max_skin),
+        lookup_(lookup),
+        share_(share),
+        bring_others_(std::move(bring_others)) {}
 
   // Adds one step (s) at these largest speeds (m/s) to the displacement bound; searches if that is too large.
   void update(double body_speed, double plane_speed, double step, Particles& particles,
@@ -38,6 +48,8 @@ class NeighbourList {
   // The order in which bodies should be sorted again in memory, see spatial_order(); empty if they need not
   // be. Known after a search.
   const std::vector<std::uint32_t>& better_order() const { return better_order_; }
+  // Gives all ranks the bodies of all at the last search.
+  void share();
   // Moves the bodies in memory, see Particles::rearrange; a search must follow.
   void rearrange(const std::vector<std::uint32_t>& from);
 
@@ -67,7 +79,19 @@ class NeighbourList {
   SkinChoice choice_;
   std::uint64_t steps_ = 0;  // since the last search
   Contacts::Lookup lookup_;
+  RankShare* share_;
+  std::function<void()> bring_others_;
+  // Tiles of this rank, in order.
+  std::vector<std::uint32_t> own_tiles(std::size_t bodies) const;
+  Ranks* ranks() const { return share_ ? &share_->ranks : nullptr; }
+  const std::vector<NeighbourPair>& find_pairs(double moved, const Particles& particles, const Domain& domain,
+                                               ThreadPool& threads);
+  // Pairs of the tiles of this rank.
+  void find_own_pairs(int dimension, const Domain& domain, ThreadPool& threads);
+
   RepeatedSearch search_;
+  PairSearch search_of_share_;
+  std::vector<NeighbourPair> own_pairs_;
   double body_travel_ = 0, plane_travel_ = 0;  // (m) bounds of the displacement since the last search
   Column<Sphere> bodies_at_search_;            // bodies at the last search
   std::vector<scree_plane> planes_at_search_;

@@ -1,6 +1,6 @@
 #include "bodies/body_range.hpp"
 #include "contacts/start_springs.hpp"
-#include "machine/exact_sum.hpp"
+#include "ranks/rank_sums.hpp"
 #include "step/branch.hpp"
 #include "step/health.hpp"
 #include "step/simulation_parts.hpp"
@@ -57,14 +57,20 @@ bool without_exception(const Simulation& s, const Step& step) {
 }
 
 // Σ w v² over bodies, in order within each tile.
-double sum_of_squares(const Vectors<const double>& v, Particles::Axes axes, const Column<double>& weight) {
+double sum_of_squares(const Vectors<const double>& v, Particles::Axes axes, const Column<double>& weight,
+                      const std::optional<RankShare>& share) {
   const BodyTiles tiles(weight.size());
   std::vector<double> sums(tiles.count(), 0);
   for (std::size_t tile = 0; tile < sums.size(); ++tile)
-    for (int k = axes.first; k < axes.last; ++k)
-      for (std::size_t i = tiles[tile].begin; i < tiles[tile].end; ++i)
-        sums[tile] += weight[i] * v[k][i] * v[k][i];
-  return exact_sum(sums, [](double sum) { return sum; });
+    if (!share || share->owners.is_own(tile))
+      for (int k = axes.first; k < axes.last; ++k)
+        for (std::size_t i = tiles[tile].begin; i < tiles[tile].end; ++i)
+          sums[tile] += weight[i] * v[k][i] * v[k][i];
+  double sum = 0;
+  RankSums total(share ? &share->ranks : nullptr);
+  total.sum(sum, sums, [](double of_tile) { return of_tile; });
+  total.close();
+  return sum;
 }
 
 template <class Entries>
@@ -80,7 +86,8 @@ void set_parameters(Entries& entries, const char* kind, const std::string& name,
 
 }  // namespace
 
-Simulation::Simulation(const Scene& scene) : parts_(std::make_unique<SimulationParts>(scene)) {
+Simulation::Simulation(const Scene& scene, Ranks* ranks)
+    : parts_(std::make_unique<SimulationParts>(scene, ranks)) {
   SimulationParts& p = *parts_;
   p.search_neighbours();
   without_exception(*this, [&] { return p.stepper.reevaluate_forces(0), start_springs(), true; });
@@ -150,7 +157,7 @@ void Simulation::start_audits() {
 }
 
 void Simulation::advance(bool observed, const std::function<void(double)>* after_substep) {
-  parts_->copy_is_current = false;
+  parts_->forget_copies();
   check_health(without_exception(*this, [&] {
     return parts_->stepper.step(observed ? Stepper::Next::observed : Stepper::Next::follows, after_substep);
   }));
@@ -239,26 +246,27 @@ void Simulation::add_body_forces(scree_body_batch& batch) const { add_body_force
 void Simulation::add_body_forces(scree_body_batch& batch, double time) const {
   parts_->body_forces.apply({time, time}, batch);
 }
-const Contacts& Simulation::contacts() const { return parts_->contacts; }
+const Contacts& Simulation::contacts() const { return parts_->all_pairs().contacts; }
 
 WallEquations Simulation::linear_walls() const { return linear_walls(parts_->stepper.time(), planes()); }
 WallEquations Simulation::linear_walls(double time, const std::vector<scree_plane>& planes) const {
   return parts_->boundaries.linear_walls(time, planes);
 }
 
-ContactList Simulation::contact_list() const {
-  const SimulationParts& p = *parts_;
-  return touching_contacts(p.particles, p.contacts, p.forces, p.laws, planes(), domain());
+ContactList Simulation::contacts_of_all_ranks(bool loaded) const {
+  SimulationParts& p = *parts_;
+  p.in_scene_order();  // before the bodies are read
+  const auto [contacts, forces] = p.all_pairs();
+  return touching_contacts(p.particles, contacts, forces, p.laws, planes(), domain(),
+                           loaded ? ListedPairs::touching_or_loaded : ListedPairs::touching);
 }
 
-ContactList Simulation::loaded_contact_list() const {
-  const SimulationParts& p = *parts_;
-  return touching_contacts(p.particles, p.contacts, p.forces, p.laws, planes(), domain(),
-                           ListedPairs::touching_or_loaded);
-}
+ContactList Simulation::contact_list() const { return contacts_of_all_ranks(false); }
+
+ContactList Simulation::loaded_contact_list() const { return contacts_of_all_ranks(true); }
 
 double Simulation::contact_history(std::size_t pair, std::uint32_t column) const {
-  for (const PairGroup& group : parts_->contacts.groups())
+  for (const PairGroup& group : contacts().groups())
     if (pair >= group.begin && pair < group.end)
       return column < group.history_width ? group.history_of(pair, column) : 0;
   return 0;
@@ -270,8 +278,9 @@ scree_energy Simulation::energy() const {
   const bool at_end = parts_->stepper.forces_at() == Stepper::ForcesAt::end_of_step;
   const auto velocity = at_end ? p.velocity() : p.mid_velocity();
   const auto spin = at_end ? p.spin() : p.mid_spin();
-  const double translation = sum_of_squares(velocity, p.axes(), p.mass);
-  const double rotation = sum_of_squares(spin, p.spin_axes(), p.inertia);
+  const std::optional<RankShare>& share = parts_->share;
+  const double translation = sum_of_squares(velocity, p.axes(), p.mass, share);
+  const double rotation = sum_of_squares(spin, p.spin_axes(), p.inertia, share);
   return parts_->audit.balance(0.5 * translation, 0.5 * rotation, parts_->boundaries.energy());
 }
 
@@ -315,7 +324,7 @@ Footprint Simulation::footprint() const {
           .bytes_per_pair = parts_->forces.bytes_per_pair() + width * sizeof(double),
           .history_width = width,
           .listed_pairs = parts_->contacts.listed(),
-          .crossing_share = parts_->contacts.crossing_share()};
+          .crossing_share = parts_->contacts.crossing().share()};
 }
 
 }  // namespace scree

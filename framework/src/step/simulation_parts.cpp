@@ -101,8 +101,19 @@ bool depends_on_orientations(const Parameters& law, int dimension) {
   return kernel::reads_orientations(ConfiguredLaw(law, dimension, no_bounds, no_bounds).instance());
 }
 
-SimulationParts::SimulationParts(const Scene& given)
+namespace {
+
+std::optional<RankShare> share_of(const Scene& scene, Ranks* ranks) {
+  if (!ranks) return std::nullopt;
+  return RankShare{*ranks,
+                   TileOwners::ranges(BodyTiles(scene.bodies.size()).count(), ranks->size(), ranks->rank())};
+}
+
+}  // namespace
+
+SimulationParts::SimulationParts(const Scene& given, Ranks* ranks)
     : scene(checked(given)),
+      share(share_of(scene, ranks)),
       boundaries(boundaries_of(scene)),
       body_forces(scene.body_forces, scene.dimension, scene.audit),
       particles(scene.dimension,
@@ -113,12 +124,14 @@ SimulationParts::SimulationParts(const Scene& given)
       driven(scene, particles),
       law_of(scene.law_of),
       neighbours(skin_of(scene), max_skin_of(scene, boundaries.domain()),
-                 {.law_of = law_of.data(), .materials = std::uint32_t(scene.materials.size())}),
+                 {.law_of = law_of.data(), .materials = std::uint32_t(scene.materials.size())},
+                 share ? &*share : nullptr, [this] { forces.bring_bodies_of_others(particles); }),
       forces({.dimension = scene.dimension,
               .spin = particles.has_spin(),
               .periodic = boundaries.domain().any_periodic(),
               .audit = scene.audit,
-              .pair_forces = scene.pair_forces}),
+              .pair_forces = scene.pair_forces},
+             share ? &*share : nullptr),
       integrator(make_integrator(scene.integration)),
       threads(std::make_unique<ThreadPool>(threads_of(scene))),
       smallest_radius(smallest_radius_of(scene)),
@@ -171,10 +184,33 @@ void SimulationParts::rearrange(const std::vector<std::uint32_t>& from) {
   integrator->rearrange(from);
   contacts.rearrange(from);
   neighbours.rearrange(from);
-  copy_is_current = false;
+  forget_copies();
+}
+
+void SimulationParts::share_bodies() {
+  particles.share(*share);
+  integrator->share(*share, particles.size());
+  neighbours.share();
+  bodies_are_shared = true;
+}
+
+SimulationParts::Pairs SimulationParts::all_pairs() {
+  if (!share) return {contacts, forces.pair_forces()};
+  if (!pairs_are_shared) {
+    shared_contacts = contacts;
+    shared_forces = forces.pair_forces();
+    shared_contacts->share(*share, shared_forces, forces.columns());
+    pairs_are_shared = true;
+  }
+  return {*shared_contacts, shared_forces};
 }
 
 void SimulationParts::sort_bodies() {
+  if (share) {
+    share_bodies();
+    PairColumns nothing;
+    contacts.share(*share, nothing, 0);
+  }
   rearrange(std::vector<std::uint32_t>(neighbours.better_order()));
   neighbours.rebuild(particles, boundaries, contacts, *threads);
 }
@@ -185,6 +221,7 @@ void SimulationParts::search_neighbours() {
 }
 
 Particles& SimulationParts::in_scene_order() {
+  if (share && !bodies_are_shared) share_bodies();
   if (!particles.order().rearranged()) return particles;
   if (copy_is_current) return *copy_in_scene_order;
   if (!copy_in_scene_order) copy_in_scene_order = particles;
@@ -194,9 +231,18 @@ Particles& SimulationParts::in_scene_order() {
 }
 
 void SimulationParts::transfer_pairs(const StateTransfer& state) {
-  contacts.transfer(state.below("contacts"), particles.order(), boundaries.planes().size());
-  neighbours.transfer(state.below("neighbours"), particles, boundaries);
-  forces.transfer(state.below("contacts"), particles, contacts, laws, boundaries.planes().size(), *threads);
+  const StateTransfer of_contacts = state.below("contacts");
+  const std::size_t planes = boundaries.planes().size();
+  if (state.restoring()) {
+    contacts.transfer(of_contacts, particles.order(), planes);
+    neighbours.transfer(state.below("neighbours"), particles, boundaries);
+    forces.restore(of_contacts, particles, contacts, laws, planes, *threads);
+  } else {
+    Pairs pairs = all_pairs();
+    pairs.contacts.transfer(of_contacts, particles.order(), planes);
+    neighbours.transfer(state.below("neighbours"), particles, boundaries);
+    forces.save(of_contacts, particles.order(), pairs.contacts, pairs.forces);
+  }
 }
 
 ContactSums SimulationParts::contact_sums_in(const State& state) {

@@ -9,6 +9,7 @@
 #include "motion/driven_bodies.hpp"
 #include "motion/integrator.hpp"
 #include "plugins/body_forces.hpp"
+#include "ranks/rank_share.hpp"
 #include "search/neighbour_list.hpp"
 #include "step/stepper.hpp"
 #include "walls/boundaries.hpp"
@@ -28,7 +29,8 @@ namespace scree {
 // The parts of a simulation, in the order in which they are constructed.
 struct SimulationParts {
   // Throws Error for an invalid scene. Evaluates no forces.
-  explicit SimulationParts(const Scene& scene);
+  // ranks: that compute the scene together, or null.
+  explicit SimulationParts(const Scene& scene, Ranks* ranks = nullptr);
 
   // Configures the laws of the scene again. Throws Error if a law needs what the scene does not carry.
   void configure_laws();
@@ -51,6 +53,8 @@ struct SimulationParts {
     if (!neighbours.better_order().empty()) sort_bodies();
   }
   void sort_bodies();
+  // Gives all ranks the state of all bodies.
+  void share_bodies();
   // The bodies in the order of the scene: a copy if they are rearranged, valid until something moves them.
   Particles& in_scene_order();
   // See Simulation.
@@ -59,7 +63,11 @@ struct SimulationParts {
   // After new parameters. Throws Error if a wall that was absent has bodies behind it.
   void search_after_change();
 
+  // Null if this process computes the whole scene.
+  Ranks* ranks() const { return share ? &share->ranks : nullptr; }
+
   Scene scene;
+  std::optional<RankShare> share;  // if several ranks compute the scene
   std::vector<ConfiguredLaw> configured_laws;
   std::vector<LawInstance> laws;
   Boundaries boundaries;
@@ -87,8 +95,19 @@ struct SimulationParts {
 
   Stepper stepper;
 
+  // The pairs of all ranks, and the forces of these.
+  struct Pairs {
+    Contacts& contacts;
+    const PairColumns& forces;
+  };
+  Pairs all_pairs();
+  // After the state has changed: what was copied for observers is no longer current.
+  void forget_copies() { copy_is_current = bodies_are_shared = pairs_are_shared = false; }
+
   std::optional<Particles> copy_in_scene_order;
-  bool copy_is_current = false;
+  std::optional<Contacts> shared_contacts;  // if several ranks compute the scene
+  PairColumns shared_forces;
+  bool copy_is_current = false, bodies_are_shared = false, pairs_are_shared = false;
 };
 
 }  // namespace scree

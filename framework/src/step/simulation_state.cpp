@@ -18,7 +18,8 @@ State Simulation::state() const {
 }
 
 State Simulation::changing_state() const {
-  parts_->in_scene_order();  // before threads read it
+  parts_->in_scene_order();  // before threads read them
+  parts_->all_pairs();
   // Three parts that take about equally long.
   std::future<State> pairs_copied = in_background([this] {
     State pairs;
@@ -59,7 +60,7 @@ std::uint64_t Simulation::state_hash() const {
   for (const freedom::Mask held : p.held) hash.add(std::uint64_t(held));
   const BodyOrder& order = parts_->particles.order();
   parts_->integrator->add_to_hash(hash, order);
-  const Contacts& contacts = parts_->contacts;
+  const Contacts& contacts = this->contacts();
   for (const PairGroup& group : contacts.groups())
     for (const std::size_t q : contacts.in_scene_order(group, order))
       for (std::uint32_t k = 0; k < group.history_width; ++k)

@@ -1,6 +1,5 @@
 #include "step/stepper.hpp"
 
-#include "machine/exact_sum.hpp"
 #include "motion/motion.hpp"
 #include "step/simulation_parts.hpp"
 
@@ -34,7 +33,10 @@
 namespace scree {
 
 Stepper::Stepper(SimulationParts& parts)
-    : parts_(parts), tiles_(parts.particles.size()), part_sums_(tiles_.parts()) {}
+    : parts_(parts),
+      tiles_(parts.particles.size()),
+      own_parts_(own_parts(tiles_, parts.share ? parts.share->owners : TileOwners(tiles_.count()))),
+      part_sums_(tiles_.parts()) {}
 
 bool Stepper::step(Next next, const std::function<void(double)>* after_substep) {
   const double h = parts_.scene.step;
@@ -59,14 +61,14 @@ bool Stepper::step(Next next, const std::function<void(double)>* after_substep) 
 
 std::optional<double> Stepper::substep(double step, std::optional<double> next) {
   SimulationParts& p = parts_;
-  p.copy_is_current = false;
+  p.forget_copies();
   const bool mid_step = p.integrator->evaluates_at_mid_step();
   const double elapsed = mid_step && forces_at_ == ForcesAt::end_of_step ? 0.5 * step : step;
   if (forces_at_ == ForcesAt::middle_of_step) p.boundaries.undo_extrapolation();
   const DrivenBodies::Times times = {time_, step, force_time_, elapsed, mid_step};
   if (!bodies_advanced_) begin_bodies(times);
   add_work_of_begun_step();
-  const double square_speed = largest_square_speed(), speed = std::sqrt(square_speed);
+  const double square_speed = begun_square_speed_, speed = std::sqrt(square_speed);
   if (!std::isfinite(square_speed)) return std::nullopt;
 
   Laps laps(p.profile);
@@ -122,7 +124,8 @@ void Stepper::begin_bodies(const DrivenBodies::Times& times) {
   } else {
     p.integrator->prepare(p.particles, step);
   }
-  p.threads->each(tiles_.parts(), [&](std::size_t part, unsigned) {
+  p.threads->each(own_parts_.size(), [&](std::size_t k, unsigned) {
+    const std::size_t part = own_parts_[k];
     const BodyRange bodies = tiles_.part(part);
     PartSums& sums = part_sums_[part] = {};
     if (p.driven.any_in(part)) return begin_driven(part, bodies, step, sums);
@@ -130,6 +133,10 @@ void Stepper::begin_bodies(const DrivenBodies::Times& times) {
     if (p.particles.orientations) rotate(bodies, {.begin = step});
     Forces::clear(p.particles, bodies);
   });
+  begun_square_speed_ = largest_of_parts();
+  RankSums sums(p.ranks());
+  sums.largest(begun_square_speed_);
+  sums.close();
   laps.lap(Profile::integrate);
 }
 
@@ -168,10 +175,14 @@ Stepper::Clock Stepper::clock_after_substep(double step, double elapsed) const {
 
 void Stepper::add_work_of_begun_step() {
   if (!parts_.driven.any() || !parts_.scene.audit) return;
-  parts_.audit.add_work(total().work_to_begin);
+  RankSums sums(parts_.ranks());
+  PartSums all;
+  add_total(all, sums);
+  sums.close();
+  parts_.audit.add_work(all.work_to_begin);
 }
 
-double Stepper::largest_square_speed() const {
+double Stepper::largest_of_parts() const {
   double largest = 0;
   for (const PartSums& sums : part_sums_) largest = std::max(largest, sums.square_speed);
   return largest;
@@ -183,33 +194,36 @@ Stepper::PartSums Stepper::total_of_tile(std::size_t tile) const {
   return sums;
 }
 
-Stepper::PartSums Stepper::total() const {
-  if (tiles_.count() == 1) return total_of_tile(0);
+void Stepper::add_total(PartSums& all, RankSums& sums) const {
+  if (tiles_.count() == 1 && !sums.over_ranks()) {
+    all = total_of_tile(0);
+    return;
+  }
   std::vector<PartSums> tiles;
   for (std::size_t tile = 0; tile < tiles_.count(); ++tile) tiles.push_back(total_of_tile(tile));
-  const auto over_tiles = [&](const auto& term) { return exact_sum(tiles, term); };
-  PartSums all;
+  const auto add = [&](double& target, const auto& term) { sums.sum(target, tiles, term); };
   for (double BodySums::*const member : {&BodySums::potential, &BodySums::dissipation_rate_translation,
                                          &BodySums::dissipation_rate_rotation, &BodySums::work})
-    all.bodies.*member = over_tiles([&](const PartSums& tile) { return tile.bodies.*member; });
+    add(all.bodies.*member, [&](const PartSums& tile) { return tile.bodies.*member; });
   for (int k = 0; k < 3; ++k)
-    all.momentum.force[k] = over_tiles([&](const PartSums& tile) { return tile.momentum.force[k]; });
-  all.momentum.magnitude = over_tiles([](const PartSums& tile) { return tile.momentum.magnitude; });
-  all.work = over_tiles([](const PartSums& tile) { return tile.work; });
-  all.work_to_begin = over_tiles([](const PartSums& tile) { return tile.work_to_begin; });
+    add(all.momentum.force[k], [&](const PartSums& tile) { return tile.momentum.force[k]; });
+  add(all.momentum.magnitude, [](const PartSums& tile) { return tile.momentum.magnitude; });
+  add(all.work, [](const PartSums& tile) { return tile.work; });
+  add(all.work_to_begin, [](const PartSums& tile) { return tile.work_to_begin; });
   for (const PartSums& tile : tiles) all.finite &= tile.finite;
-  return all;
+  sums.all(all.finite);
 }
 
 bool Stepper::evaluate_forces(double elapsed, const Moves& moves) {
   SimulationParts& p = parts_;
-  p.copy_is_current = false;
+  p.forget_copies();
   bodies_advanced_ = moves.begin.has_value();
   if (moves.finish)
     evaluated_at_ = clock_after_substep(*moves.finish, elapsed).force_time;
   else
     evaluated_at_ = elapsed != 0 ? time_ : force_time_;
-  p.contact_sums = p.forces.evaluate(
+  RankSums sums(p.ranks());
+  p.forces.evaluate(
       {.particles = p.particles,
        .contacts = p.contacts,
        .laws = p.laws,
@@ -223,12 +237,16 @@ bool Stepper::evaluate_forces(double elapsed, const Moves& moves) {
       [this, &moves](std::size_t part, unsigned worker) {
         finish_part(part, moves, worker == 0 ? parts_.profile : nullptr);
       },
-      p.profile);
-  const PartSums sums = tiles_.count() == 1 ? total_of_tile(0) : total();
-  p.body_sums = sums.bodies;
-  if (p.driven.any() && p.scene.audit) p.audit.add_work(sums.work);
-  p.momentum_audit.add_step(elapsed, sums.momentum, p.boundaries.loads());
-  return sums.finite;
+      sums, p.contact_sums, p.profile);
+  PartSums all;
+  add_total(all, sums);
+  begun_square_speed_ = largest_of_parts();
+  sums.largest(begun_square_speed_);
+  sums.close();
+  p.body_sums = all.bodies;
+  if (p.driven.any() && p.scene.audit) p.audit.add_work(all.work);
+  p.momentum_audit.add_step(elapsed, all.momentum, p.boundaries.loads());
+  return all.finite;
 }
 
 void Stepper::finish_part(std::size_t part, const Moves& moves, Profile* profile) {
@@ -287,7 +305,7 @@ void Stepper::synchronise() {
   const double behind = time_ - force_time_;
   const DrivenBodies::Times times = {time_, 0, force_time_, behind, true};
   p.driven.plan_begin(times);
-  for (std::size_t part = 0; part < tiles_.parts(); ++part)
+  for (const std::uint32_t part : own_parts_)
     part_sums_[part].work_to_begin = p.driven.predict(p.particles, part);
   add_work_of_begun_step();
   p.boundaries.undo_extrapolation();

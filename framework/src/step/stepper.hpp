@@ -4,6 +4,7 @@
 #include "audit/momentum_audit.hpp"
 #include "bodies/body_range.hpp"
 #include "motion/driven_bodies.hpp"
+#include "ranks/rank_sums.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -92,9 +93,10 @@ class Stepper {
   void add_work_of_begun_step();
   // First half of a step (s) for the walls; the bodies are at its end, where forces act for `kick` (s).
   void begin_walls(double step, double kick);
-  double largest_square_speed() const;
+  // Largest squared speed of the bodies of this rank (m²/s²).
+  double largest_of_parts() const;
   // Sums over all bodies, exact over tiles, so that their bits depend on no order of the tiles.
-  PartSums total() const;
+  void add_total(PartSums& all, RankSums& sums) const;
   PartSums total_of_tile(std::size_t tile) const;
   // Evaluates forces and finishes all parts. Returns whether velocities and spins are finite.
   bool evaluate_forces(double elapsed, const Moves& moves);
@@ -109,11 +111,13 @@ class Stepper {
 
   SimulationParts& parts_;
   BodyTiles tiles_;
+  std::vector<std::uint32_t> own_parts_;  // of this rank
   std::vector<PartSums> part_sums_;
-  bool bodies_advanced_ = false;  // the first half of the next substep has been taken
-  double time_ = 0;               // (s)
-  double force_time_ = 0;         // (s) of the last force evaluation
-  double evaluated_at_ = 0;       // (s) of the one that goes on
+  bool bodies_advanced_ = false;   // the first half of the next substep has been taken
+  double begun_square_speed_ = 0;  // largest of it (m²/s²)
+  double time_ = 0;                // (s)
+  double force_time_ = 0;          // (s) of the last force evaluation
+  double evaluated_at_ = 0;        // (s) of the one that goes on
   ForcesAt forces_at_ = ForcesAt::end_of_step;
   std::uint64_t steps_ = 0;
   std::size_t substep_ = 0;      // of the step that is taken

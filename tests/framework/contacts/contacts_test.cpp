@@ -234,14 +234,14 @@ TEST_CASE(
     }
   }
   REQUIRE(across > 10);
-  CHECK(contacts.crossing_share() == Approx(double(across) / double(pairs.size())));
+  CHECK(contacts.crossing().share() == Approx(double(across) / double(pairs.size())));
 
   // Half of the pairs go, others come; then each body moves to the place of its number.
   const std::vector<NeighbourPair> later = pairs_of(0.5);
   contacts.rebuild(later, {}, lookup, order, threads);
   contacts.rearrange(order.back());
   const scree::BodyOrder back = order.moved(order.back());
-  CHECK(contacts.crossing_share() > 0.5);
+  CHECK(contacts.crossing().share() > 0.5);
   std::size_t kept = 0;
   const std::vector<std::size_t> listed = contacts.in_scene_order(group, back);
   REQUIRE(listed.size() == later.size());

@@ -35,10 +35,11 @@ void Tiles::cut_blocks(const Contacts& contacts, std::uint32_t t) {
 }
 
 // Exactly one body of a pair across tiles is of another tile.
-void Tiles::count_slots(const Contacts& contacts, std::size_t planes) {
+void Tiles::count_slots(const Contacts& contacts, const std::vector<std::uint32_t>& planned,
+                        std::size_t planes) {
   slots_ = bodies_.size();
   std::size_t foreign = 0;
-  for (std::uint32_t t = 0; t < tiles_.size(); ++t) {
+  for (const std::uint32_t t : planned) {
     Tile& tile = tiles_[t];
     tile.first_foreign = slots_;
     tile.first_outgoing = foreign;
@@ -97,14 +98,15 @@ void Tiles::sort_incoming(std::span<const Incoming> loads) {
       [&](const Incoming& in, std::size_t index) { incoming_[index] = in; });
 }
 
-void Tiles::plan(const Contacts& contacts, std::size_t planes, ThreadPool& threads) {
+void Tiles::plan(const Contacts& contacts, const std::vector<std::uint32_t>& planned, std::size_t planes,
+                 ThreadPool& threads) {
   tiles_.assign(bodies_.count(), {});
   blocks_.clear();
-  for (std::uint32_t t = 0; t < tiles_.size(); ++t) cut_blocks(contacts, t);
-  count_slots(contacts, planes);
-  threads.each(tiles_.size(), [&](std::size_t t, unsigned) {
-    assign_slots(contacts, planes, std::uint32_t(t));
-    if (exceed_caches()) list_foreign_bodies(std::uint32_t(t));
+  for (const std::uint32_t t : planned) cut_blocks(contacts, t);
+  count_slots(contacts, planned, planes);
+  threads.each(planned.size(), [&](std::size_t k, unsigned) {
+    assign_slots(contacts, planes, planned[k]);
+    if (exceed_caches()) list_foreign_bodies(planned[k]);
   });
   for (const Tile& tile : tiles_)
     for (const std::uint32_t other : tile.reached) ++tiles_[other].reached_by;

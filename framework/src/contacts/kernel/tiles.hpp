@@ -36,19 +36,21 @@ class Tiles {
     std::uint32_t tile, body;
   };
   struct Tile {
-    std::size_t first_block, last_block;      // [first, last)
-    std::size_t first_foreign, last_foreign;  // slots written for other tiles
-    std::size_t first_own, last_own;          // slots of planes and padding: [first, last)
-    std::size_t first_outgoing;               // of the slots for other tiles, counted over all tiles
-    std::vector<std::uint32_t> foreign;       // bodies of other tiles that it reads, if exceed_caches()
-    std::vector<std::uint32_t> reached;       // tiles whose bodies its pairs read and load, itself included
-    std::uint32_t reached_by = 0;             // number of tiles that reach it, itself included
+    std::size_t first_block = 0, last_block = 0;      // [first, last)
+    std::size_t first_foreign = 0, last_foreign = 0;  // slots written for other tiles
+    std::size_t first_own = 0, last_own = 0;          // slots of planes and padding: [first, last)
+    std::size_t first_outgoing = 0;                   // of the slots for other tiles, counted over all tiles
+    std::vector<std::uint32_t> foreign;  // bodies of other tiles that it reads, if exceed_caches()
+    std::vector<std::uint32_t> reached;  // tiles whose bodies its pairs read and load, itself included
+    std::uint32_t reached_by = 0;        // number of tiles that reach it, itself included
   };
 
   explicit Tiles(std::size_t bodies = 0) : bodies_(bodies) {}
 
-  // Divides the pairs into blocks and assigns slots; must be called after each neighbour search.
-  void plan(const Contacts& contacts, std::size_t planes, ThreadPool& threads);
+  // Divides the pairs of some tiles into blocks and assigns slots; must be called after each neighbour
+  // search.
+  void plan(const Contacts& contacts, const std::vector<std::uint32_t>& planned, std::size_t planes,
+            ThreadPool& threads);
 
   // Makes slots behind all others for loads of pairs of other ranks, which count in the order of their tiles.
   // Returns the first slot; they follow each other as given.
@@ -80,7 +82,7 @@ class Tiles {
   static constexpr std::size_t tiles_in_cache = 16;
 
   void cut_blocks(const Contacts& contacts, std::uint32_t tile);
-  void count_slots(const Contacts& contacts, std::size_t planes);
+  void count_slots(const Contacts& contacts, const std::vector<std::uint32_t>& planned, std::size_t planes);
   void assign_slots(const Contacts& contacts, std::size_t planes, std::uint32_t tile);
   void list_foreign_bodies(std::uint32_t tile);
   // loads: in the order in which they count.

@@ -1,0 +1,136 @@
+#include "contacts/halo.hpp"
+
+#include "ranks/messages.hpp"
+
+#include <algorithm>
+
+namespace scree {
+
+using Arrival = kernel::Tiles::Arrival;
+
+namespace {
+
+// Begins one message to and from each rank that has rows.
+void begin_messages(Ranks& ranks, const std::vector<std::size_t>& first_sent, const double* sent,
+                    std::size_t width_sent, const std::vector<std::size_t>& first_received, double* received,
+                    std::size_t width_received) {
+  std::vector<Ranks::Sent> to;
+  std::vector<Ranks::Received> from;
+  for (unsigned r = 0; r < ranks.size(); ++r) {
+    if (const std::size_t rows = first_sent[r + 1] - first_sent[r])
+      to.push_back({r, {sent + first_sent[r] * width_sent, rows * width_sent}});
+    if (const std::size_t rows = first_received[r + 1] - first_received[r])
+      from.push_back({r, {received + first_received[r] * width_received, rows * width_received}});
+  }
+  ranks.begin(to, from);
+}
+
+template <class Items>
+std::vector<std::size_t> first_of_each(const std::vector<Items>& lists) {
+  std::vector<std::size_t> first = {0};
+  for (const Items& list : lists) first.push_back(first.back() + list.size());
+  return first;
+}
+
+}  // namespace
+
+// Loads of pairs of this rank on bodies of each other rank, in the order of tiles and their slots.
+std::vector<std::vector<Arrival>> Halo::find_departures(const kernel::Tiles& tiles) {
+  std::vector<std::vector<Arrival>> departures(ranks_.size());
+  std::vector<std::vector<std::uint32_t>> slots(ranks_.size());
+  reads_others_.assign(owners_.tiles(), 0);
+  for (const std::uint32_t tile : owners_.own())
+    for (const kernel::Tiles::Incoming& out : tiles.outgoing(tile)) {
+      const std::uint32_t rank = owners_.rank_of(tiles.bodies().owner(out.body));
+      if (rank == owners_.rank()) continue;
+      reads_others_[tile] = 1;
+      departures[rank].push_back({tile, out.body});
+      slots[rank].push_back(out.slot);
+    }
+  slots_sent_ = {{}, first_of_each(slots)};
+  for (const std::vector<std::uint32_t>& of_rank : slots)
+    slots_sent_.rows.insert(slots_sent_.rows.end(), of_rank.begin(), of_rank.end());
+  return departures;
+}
+
+// The bodies that this rank loads are those that it reads.
+void Halo::agree_on_records(const std::vector<std::vector<Arrival>>& departures) {
+  std::vector<std::vector<std::uint32_t>> wanted(ranks_.size());
+  for (std::size_t r = 0; r < wanted.size(); ++r) {
+    for (const Arrival& load : departures[r]) wanted[r].push_back(load.body);
+    std::sort(wanted[r].begin(), wanted[r].end());
+    wanted[r].erase(std::unique(wanted[r].begin(), wanted[r].end()), wanted[r].end());
+  }
+  const auto joined = [](const std::vector<std::vector<std::uint32_t>>& lists) {
+    Rows rows = {{}, first_of_each(lists)};
+    for (const std::vector<std::uint32_t>& list : lists)
+      rows.rows.insert(rows.rows.end(), list.begin(), list.end());
+    return rows;
+  };
+  places_received_ = joined(wanted);
+  places_sent_ = joined(exchange_items(ranks_, wanted));
+}
+
+void Halo::agree_on_loads(const std::vector<std::vector<Arrival>>& departures, kernel::Tiles& tiles) {
+  const std::vector<std::vector<Arrival>> of_ranks = exchange_items(ranks_, departures);
+  first_arrival_ = first_of_each(of_ranks);
+  std::vector<Arrival> arrivals;
+  loaded_by_others_.assign(owners_.tiles(), 0);
+  for (const std::vector<Arrival>& of_rank : of_ranks)
+    for (const Arrival& load : of_rank) {
+      arrivals.push_back(load);
+      loaded_by_others_[tiles.bodies().owner(load.body)] = 1;
+    }
+  first_arrival_slot_ = tiles.add_arrivals(arrivals);
+}
+
+std::size_t Halo::record_width(const Particles& particles) const {
+  return particles.width() + (orientations_ ? particles.orientations.stride() : 0);
+}
+
+void Halo::plan(kernel::Tiles& tiles, const Particles& particles, bool orientations) {
+  orientations_ = orientations;
+  const std::vector<std::vector<Arrival>> departures = find_departures(tiles);
+  agree_on_records(departures);
+  agree_on_loads(departures, tiles);
+  records_sent_.resize(places_sent_.rows.size() * record_width(particles));
+  records_received_.resize(places_received_.rows.size() * record_width(particles));
+  loads_sent_.resize(slots_sent_.rows.size() * particles.load_width());
+}
+
+void Halo::begin_records(const Particles& p) {
+  double* next = records_sent_.data();
+  for (const std::uint32_t place : places_sent_.rows) {
+    next = std::copy_n(p.records() + place * p.width(), p.width(), next);
+    const std::size_t turned = orientations_ ? p.orientations.stride() : 0;
+    next = std::copy_n(p.orientations.data() + place * turned, turned, next);
+  }
+  begin_messages(ranks_, places_sent_.first, records_sent_.data(), record_width(p), places_received_.first,
+                 records_received_.data(), record_width(p));
+}
+
+void Halo::finish_records(Particles& p) {
+  ranks_.finish();
+  const double* next = records_received_.data();
+  for (const std::uint32_t place : places_received_.rows) {
+    std::copy_n(next, p.width(), p.records() + place * p.width());
+    next += p.width();
+    const std::size_t turned = orientations_ ? p.orientations.stride() : 0;
+    std::copy_n(next, turned, p.orientations.data() + place * turned);
+    next += turned;
+  }
+}
+
+void Halo::begin_loads(Particles& p) {
+  const std::size_t width = p.load_width();
+  double* next = loads_sent_.data();
+  for (const std::uint32_t slot : slots_sent_.rows) next = std::copy_n(p.loads() + slot * width, width, next);
+  begin_messages(ranks_, slots_sent_.first, loads_sent_.data(), width, first_arrival_,
+                 p.loads() + first_arrival_slot_ * width, width);
+}
+
+void Halo::finish_loads() { ranks_.finish(); }
+
+std::size_t Halo::ghosts() const { return places_received_.rows.size(); }
+
+}  // namespace scree

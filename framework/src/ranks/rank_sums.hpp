@@ -1,0 +1,62 @@
+#pragma once
+
+#include "machine/exact_sum.hpp"
+
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+#include <scree/ranks.hpp>
+
+namespace scree {
+
+// Sums over the tiles of all ranks and largest numbers of all ranks, in one message. Sums are rounded once,
+// so that they do not depend on which rank has which tile.
+class RankSums {
+ public:
+  // Null: one process has all tiles.
+  explicit RankSums(Ranks* ranks) : ranks_(ranks) {}
+
+  bool over_ranks() const { return ranks_ != nullptr; }
+  // Sets a number to the sum of term(tile) over all tiles, once `close` is called; with one process at once.
+  // Each rank gives all tiles, of which the term is 0 for tiles of other ranks. A single tile counts as it
+  // is.
+  template <class Tiles, class Term>
+  void sum(double& target, const Tiles& tiles, const Term& term) {
+    if (!ranks_) {
+      target = exact_sum(tiles, term);
+    } else if (tiles.size() == 1) {
+      add_single(target, term(*tiles.begin()));
+    } else {
+      ExactSum sum;
+      for (const auto& tile : tiles) sum.add(term(tile));
+      add(target, sum);
+    }
+  }
+  // Sets a number, which must not be NaN, to the largest of all ranks.
+  void largest(double& number) {
+    if (ranks_) largest_.push_back(&number);
+  }
+  // Sets a flag to whether it is set on all ranks.
+  void all(bool& flag) {
+    if (ranks_) flags_.push_back(&flag);
+  }
+  // Sets a count to its sum over all ranks.
+  void total(std::int64_t& count) {
+    if (ranks_) counts_.push_back(&count);
+  }
+  // Exchanges what was given.
+  void close();
+
+ private:
+  void add_single(double& target, double term);
+  void add(double& target, const ExactSum& sum);
+
+  Ranks* ranks_;
+  std::vector<double*> singles_, sums_, largest_;
+  std::vector<bool*> flags_;
+  std::vector<std::int64_t*> counts_;
+  std::vector<std::int64_t> bits_of_singles_, words_of_sums_;
+};
+
+}  // namespace scree

@@ -1,0 +1,54 @@
+#include "motion/driven.hpp"
+#include "rank_threads.hpp"
+#include "state/heap.hpp"
+#include "step/sliding_layers.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <scree/simulation.hpp>
+
+// Scenes that several ranks compute, against the same scenes in one process.
+
+using scree::Integration;
+using scree::Ranks;
+using scree::Scene;
+using scree::Simulation;
+using scree::State;
+using scree::test::check_same;
+using scree::test::integrators;
+using scree::test::RankThreads;
+using scree::test::sliding_layers;
+
+namespace {
+
+// The state that the first of some ranks has after some steps, of which every tenth is observed.
+State after_steps(const Scene& scene, Ranks* ranks, int steps) {
+  Simulation s(scene, ranks);
+  for (int k = 0; k < steps / 10; ++k) s.run(10, [] { return true; });
+  return s.state();
+}
+
+State over_ranks(const Scene& scene, unsigned ranks, int steps) {
+  State first;
+  RankThreads(ranks).run([&](Ranks& member) {
+    State state = after_steps(scene, &member, steps);
+    if (member.rank() == 0) first = std::move(state);
+  });
+  return first;
+}
+
+}  // namespace
+
+TEST_CASE("any number of ranks computes the same bits as one process", "[ranks]") {
+  for (const int dimension : {2, 3})
+    for (const Integration integration : integrators) {
+      Scene scene = sliding_layers(dimension);
+      scene.integration = integration;
+      const int steps = integration == Integration::fourth_order ? 40 : 120;
+      const State alone = after_steps(scene, nullptr, steps);
+      for (const unsigned ranks : {1u, 2u, 3u}) {
+        INFO("integrator " << int(integration) << ", " << dimension << "D, " << ranks << " ranks");
+        check_same(over_ranks(scene, ranks, steps), alone);
+      }
+    }
+}
