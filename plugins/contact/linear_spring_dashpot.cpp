@@ -220,11 +220,11 @@ struct Kernel : LinearSpringDashpot {
                                        weighted_limit, weighted_sliding_limit);
     const Vec<D, T> mean_force = store(slip, h, out), slipped = trial - h.spring;
     const T dashpot_power = -dot(fused(T(tangent.stiffness), h.spring, slip.force), v_t);
+    const T released = dot(mean_force + slip.force, slipped) + c.step * dashpot_power;
     // During slip the dashpot changes the energy of the spring, by γ_t v_t·ξ' of either sign.
     out.dissipation_rate_tangential = slip.slides ? T(0) : dashpot_power;
     out.dissipated_friction = slip.slides ? -dot(slip.force, slipped) : T(0);
-    out.dissipated_release =
-        slip.slides ? dot(mean_force + slip.force, slipped) + c.step * dashpot_power : T(0);
+    out.dissipated_release = slip.slides ? released : T(0);
   }
 };
 

@@ -44,8 +44,8 @@ namespace detail {
 // P(f): f, limited to the magnitude `limit`.
 template <int D, class T>
 inline Vec<D, T> limited(const Vec<D, T>& f, const T& limit) {
-  const T square = dot(f, f);
-  return (square > limit * limit ? limit * inverse_sqrt(square) : T(1)) * f;
+  const T square = dot(f, f), limiting = limit * inverse_sqrt(square);
+  return (square > limit * limit ? limiting : T(1)) * f;
 }
 
 // The moment within a step at which slip begins.
@@ -114,7 +114,10 @@ inline FallingSlip<D, T> slide_or_stick(const FallingLimit<D, T>& in) {
   const Vec<D, T> whole = fused(step.stiffness, slip.spring, dashpot);
   const Vec<D, T> held = detail::limited(whole, in.static_limit);
   const Vec<D, T> stuck = fused(late, held - detail::limited(whole, step.sliding_limit), held);
-  for (int k = 0; k < D; ++k) slip.force[k] = sticks ? -stuck[k] : slip.force[k];
+  for (int k = 0; k < D; ++k) {  // clang makes a branch where ?: reads an element
+    const T ending = -stuck[k], sliding = slip.force[k];
+    slip.force[k] = sticks ? ending : sliding;
+  }
   return {slip, before_middle * jump, sticks ? excess : std::max(slipped, smallest_divisor<T>)};
 }
 
