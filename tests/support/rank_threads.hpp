@@ -18,7 +18,8 @@ namespace scree::test {
 // come.
 class RankThreads {
  public:
-  explicit RankThreads(unsigned size) : size_(size), meeting_(size), given_(size) {}
+  explicit RankThreads(unsigned size, bool at_random = false)
+      : size_(size), at_random_(at_random), meeting_(size), given_(size) {}
 
   // Calls work(ranks) on each rank; throws what the first rank that failed has thrown. A rank that fails
   // while others wait for it ends the program.
@@ -56,6 +57,7 @@ class RankThreads {
 
     unsigned rank() const override { return rank_; }
     unsigned size() const override { return all_.size_; }
+    bool deals_at_random() const override { return all_.at_random_; }
 
     void broadcast(std::span<std::byte> data) override {
       own().broadcast = data;
@@ -111,6 +113,7 @@ class RankThreads {
   };
 
   unsigned size_;
+  bool at_random_;
   std::barrier<> meeting_;
   std::vector<Given> given_;
 };

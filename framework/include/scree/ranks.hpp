@@ -19,6 +19,9 @@ class Ranks {
   virtual unsigned rank() const = 0;
   virtual unsigned size() const = 0;
 
+  // Whether tiles are dealt to ranks at random after each search, which changes no result: for tests.
+  virtual bool deals_at_random() const { return false; }
+
   // Gives all ranks what the first rank has in `data`, of the same size on each.
   virtual void broadcast(std::span<std::byte> data) = 0;
   // Gives all ranks the largest of each number, none of which may be NaN, and the sum of each count.

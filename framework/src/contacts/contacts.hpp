@@ -92,8 +92,9 @@ class Contacts {
   void rearrange(const std::vector<std::uint32_t>& from);
 
   // Gives all ranks the pairs and histories of all, of which each has the pairs of its tiles, and further
-  // columns of all pairs, `width` of them.
-  void share(const struct RankShare& share, PairColumns& further, std::uint32_t width);
+  // columns of all pairs, `width` of them. kept: takes pairs of tiles that are its own there, or all if null.
+  void share(const struct RankShare& share, const class TileOwners* kept, PairColumns& further,
+             std::uint32_t width);
 
   // Number of pairs without padding.
   std::size_t listed() const;
@@ -157,8 +158,9 @@ class Contacts {
     a[index] = first, b[index] = second, image[index] = code;
   }
   // Adds the pairs of a group on all ranks, and the numbers of each pair.
-  void share_group(const struct RankShare& share, const PairGroup& group, const PairColumns& further,
-                   std::vector<Listed>& pairs, std::vector<double>& numbers) const;
+  void share_group(const struct RankShare& share, const class TileOwners* kept, const PairGroup& group,
+                   const PairColumns& further, std::uint32_t width, std::vector<Listed>& pairs,
+                   std::vector<double>& numbers) const;
   void carry_histories(ThreadPool& threads);
   // Behind the bodies of a tile; without tiles, behind all.
   std::size_t end_of(std::size_t tile) const {

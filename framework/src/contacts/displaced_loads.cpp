@@ -2,11 +2,13 @@
 
 #include "contacts/kernel/block.hpp"
 #include "contacts/kernel/evaluate.hpp"
+#include "ranks/rank_share.hpp"
+#include "ranks/rank_sums.hpp"
 
 namespace scree {
 
-DisplacedLoads::DisplacedLoads(const Forces::Features& features)
-    : evaluate_(kernel::plane_load_evaluation(features)) {}
+DisplacedLoads::DisplacedLoads(const Forces::Features& features, RankShare* share)
+    : evaluate_(kernel::plane_load_evaluation(features)), share_(share) {}
 
 scree_load DisplacedLoads::load(const Scene& scene, std::size_t plane, const double* displacement) {
   PlanePairs& pairs = pairs_of(scene, plane);
@@ -34,17 +36,24 @@ scree_load DisplacedLoads::load(const Scene& scene, std::size_t plane, const dou
                                          .audit = false,
                                          .pair_forces = false,
                                          .max_overlap_ratio = 0};
+  std::vector<scree_load> of_tiles(BodyTiles(scene.particles.size()).count(), scree_load{});
+  for (std::size_t tile = 0; tile < of_tiles.size(); ++tile)
+    if (!share_ || share_->owners.is_own(tile))
+      evaluate_({.input = &input,
+                 .tiles = nullptr,
+                 .tile = tile,
+                 .groups = &pairs.contacts.groups(),
+                 .laws = scene.laws.data(),
+                 .constants = &pairs.constants,
+                 .slots = nullptr,
+                 .sums = nullptr,
+                 .profile = nullptr},
+                of_tiles[tile]);
   scree_load load = {};
-  evaluate_({.input = &input,
-             .tiles = nullptr,
-             .tile = 0,
-             .groups = &pairs.contacts.groups(),
-             .laws = scene.laws.data(),
-             .constants = &pairs.constants,
-             .slots = nullptr,
-             .sums = nullptr,
-             .profile = nullptr},
-            load);
+  RankSums sums(share_ ? &share_->ranks : nullptr);
+  for (int k = 0; k < scene.particles.dimension(); ++k)
+    sums.sum(load.force[k], of_tiles, [&](const scree_load& of_tile) { return of_tile.force[k]; });
+  sums.close();
   return load;
 }
 
@@ -60,7 +69,7 @@ void DisplacedLoads::take(const Scene& scene, std::size_t plane, PlanePairs& pai
   std::vector<Contacts::Kind> kinds;
   for (const PairGroup& group : scene.contacts.groups())
     if (group.planes) kinds.push_back({group.law, true, group.history_width});
-  pairs.contacts = Contacts(kinds);
+  pairs.contacts = Contacts(kinds, BodyTiles(scene.particles.size()));
   pairs.rows.assign(kinds.size(), {});
   std::size_t next = 0;
   for (const PairGroup& all : scene.contacts.groups()) {
@@ -69,10 +78,13 @@ void DisplacedLoads::take(const Scene& scene, std::size_t plane, PlanePairs& pai
     std::vector<PlanePair> of_plane;
     all.each_pair([&](std::size_t q) {
       if (scene.contacts.b[q] != plane) return;
-      rows.push_back({std::uint32_t(q - all.begin), std::uint32_t(rows.size())});
+      rows.push_back({std::uint32_t(q - all.begin), 0});
       of_plane.push_back({scene.contacts.a[q], std::uint32_t(plane)});
     });
-    pairs.contacts.append(next++, of_plane);
+    pairs.contacts.append(next, of_plane);
+    const PairGroup& taken = pairs.contacts.groups()[next++];
+    std::size_t row = 0;
+    taken.each_pair([&](std::size_t q) { rows[row++].to = std::uint32_t(q - taken.begin); });
   }
   ThreadPool alone(1);
   pairs.constants.update(pairs.contacts, scene.particles, reads_of(scene.laws), false, alone);

@@ -15,11 +15,12 @@
 namespace scree {
 
 // Evaluates the contacts of single planes with displacements that the planes might have, without a trace in
-// bodies, histories or sums. By one thread and in the order of the pairs, so that the bits are the same for
-// any number of threads.
+// bodies, histories or sums. By one thread, in the order of the pairs of each tile; sums over tiles are
+// exact, so that the bits are the same for any number of threads and ranks.
 class DisplacedLoads {
  public:
-  explicit DisplacedLoads(const Forces::Features& features);
+  // share: of this rank if several compute the scene, or null.
+  explicit DisplacedLoads(const Forces::Features& features, RankShare* share = nullptr);
 
   // What the contacts follow from: bodies at the end of a step (s) with predicted velocities, planes.
   struct Scene {
@@ -46,6 +47,7 @@ class DisplacedLoads {
   void take(const Scene& scene, std::size_t plane, PlanePairs& pairs) const;
 
   kernel::EvaluatePlaneLoad evaluate_;
+  RankShare* share_;
   std::vector<PlanePairs> pairs_;  // of each plane, filled when its load is first asked for
   std::vector<scree_plane> planes_;
   kernel::PlaneRecords records_;

@@ -128,6 +128,7 @@ void Forces::evaluate(const Evaluation& e, ThreadPool& threads, const FinishPart
   work.max_overlap_ratio = std::max(work.max_overlap_ratio, total.max_overlap_ratio);
   total.max_overlap_ratio = work.max_overlap_ratio;
   sums.largest(total.max_overlap_ratio);
+  sums.largest(work.max_overlap_ratio);
 }
 
 void Forces::collect(Particles& particles, std::size_t part) const {

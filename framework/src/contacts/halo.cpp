@@ -3,6 +3,7 @@
 #include "ranks/messages.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace scree {
 
@@ -88,7 +89,7 @@ std::size_t Halo::record_width(const Particles& particles) const {
   return particles.width() + (orientations_ ? particles.orientations.stride() : 0);
 }
 
-void Halo::plan(kernel::Tiles& tiles, const Particles& particles, bool orientations) {
+void Halo::plan(kernel::Tiles& tiles, Particles& particles, bool orientations) {
   orientations_ = orientations;
   const std::vector<std::vector<Arrival>> departures = find_departures(tiles);
   agree_on_records(departures);
@@ -96,6 +97,19 @@ void Halo::plan(kernel::Tiles& tiles, const Particles& particles, bool orientati
   records_sent_.resize(places_sent_.rows.size() * record_width(particles));
   records_received_.resize(places_received_.rows.size() * record_width(particles));
   loads_sent_.resize(slots_sent_.rows.size() * particles.load_width());
+#ifndef NDEBUG
+  poison(particles);
+#endif
+}
+
+void Halo::poison(Particles& p) const {
+  std::vector<char> known(p.size(), 0);
+  for (const std::uint32_t place : places_received_.rows) known[place] = 1;
+  for (std::size_t place = 0; place < p.size(); ++place) {
+    if (known[place] || owners_.is_own(BodyTiles(p.size()).owner(place))) continue;
+    for (int k = 0; k < p.dimension(); ++k)
+      p.position()[k][place] = p.velocity()[k][place] = std::numeric_limits<double>::quiet_NaN();
+  }
 }
 
 void Halo::begin_records(const Particles& p) {

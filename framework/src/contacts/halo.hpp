@@ -21,7 +21,7 @@ class Halo {
 
   // Agrees with the other ranks on the messages of the planned pairs, and plans room for the loads that
   // come. orientations: pairs read them.
-  void plan(kernel::Tiles& tiles, const Particles& particles, bool orientations);
+  void plan(kernel::Tiles& tiles, Particles& particles, bool orientations);
 
   // Records of bodies on other ranks; `finish_records` puts them to the places of these bodies.
   void begin_records(const Particles& particles);
@@ -47,6 +47,8 @@ class Halo {
   void agree_on_records(const std::vector<std::vector<kernel::Tiles::Arrival>>& departures);
   void agree_on_loads(const std::vector<std::vector<kernel::Tiles::Arrival>>& departures,
                       kernel::Tiles& tiles);
+  // Makes the state of bodies of other ranks that no message brings NaN.
+  void poison(Particles& particles) const;
   // Numbers of a body in a message.
   std::size_t record_width(const Particles& particles) const;
 

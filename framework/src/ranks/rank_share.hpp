@@ -10,6 +10,7 @@ namespace scree {
 struct RankShare {
   Ranks& ranks;
   TileOwners owners;
+  std::uint64_t dealt_after = 0;  // searches
 };
 
 }  // namespace scree

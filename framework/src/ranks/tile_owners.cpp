@@ -1,5 +1,6 @@
 #include "ranks/tile_owners.hpp"
 
+#include <random>
 #include <utility>
 
 namespace scree {
@@ -15,6 +16,13 @@ TileOwners::TileOwners(std::vector<std::uint32_t> rank_of, unsigned rank)
 TileOwners TileOwners::ranges(std::size_t tiles, unsigned ranks, unsigned rank) {
   std::vector<std::uint32_t> rank_of(tiles);
   for (std::size_t tile = 0; tile < tiles; ++tile) rank_of[tile] = std::uint32_t(tile * ranks / tiles);
+  return {std::move(rank_of), rank};
+}
+
+TileOwners TileOwners::at_random(std::size_t tiles, unsigned ranks, unsigned rank, std::uint64_t seed) {
+  std::mt19937_64 generator(seed);
+  std::vector<std::uint32_t> rank_of(tiles);
+  for (std::uint32_t& owner : rank_of) owner = std::uint32_t(generator() % ranks);
   return {std::move(rank_of), rank};
 }
 

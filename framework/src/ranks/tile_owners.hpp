@@ -17,6 +17,8 @@ class TileOwners {
   TileOwners(std::vector<std::uint32_t> rank_of, unsigned rank);
   // Ranges of tiles of about the same number of tiles.
   static TileOwners ranges(std::size_t tiles, unsigned ranks, unsigned rank);
+  // Tiles in no order, the same on all ranks for the same seed.
+  static TileOwners at_random(std::size_t tiles, unsigned ranks, unsigned rank, std::uint64_t seed);
 
   bool is_own(std::size_t tile) const { return rank_of_[tile] == rank_; }
   std::uint32_t rank_of(std::size_t tile) const { return rank_of_[tile]; }

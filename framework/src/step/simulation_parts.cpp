@@ -105,8 +105,8 @@ namespace {
 
 std::optional<RankShare> share_of(const Scene& scene, Ranks* ranks) {
   if (!ranks) return std::nullopt;
-  return RankShare{*ranks,
-                   TileOwners::ranges(BodyTiles(scene.bodies.size()).count(), ranks->size(), ranks->rank())};
+  return RankShare{
+      *ranks, TileOwners::ranges(BodyTiles(scene.bodies.size()).count(), ranks->size(), ranks->rank()), 0};
 }
 
 }  // namespace
@@ -199,18 +199,30 @@ SimulationParts::Pairs SimulationParts::all_pairs() {
   if (!pairs_are_shared) {
     shared_contacts = contacts;
     shared_forces = forces.pair_forces();
-    shared_contacts->share(*share, shared_forces, forces.columns());
+    shared_contacts->share(*share, nullptr, shared_forces, forces.columns());
     pairs_are_shared = true;
   }
   return {*shared_contacts, shared_forces};
 }
 
+void SimulationParts::share_bodies_and_pairs(const TileOwners* kept) {
+  share_bodies();
+  PairColumns nothing;
+  contacts.share(*share, kept, nothing, 0);
+}
+
+void SimulationParts::deal_tiles() {
+  share->dealt_after = neighbours.rebuilds();
+  if (!share->ranks.deals_at_random()) return;
+  TileOwners next = TileOwners::at_random(share->owners.tiles(), share->ranks.size(), share->ranks.rank(),
+                                          share->dealt_after);
+  share_bodies_and_pairs(&next);
+  share->owners = std::move(next);
+  stepper.take_own_parts();
+}
+
 void SimulationParts::sort_bodies() {
-  if (share) {
-    share_bodies();
-    PairColumns nothing;
-    contacts.share(*share, nothing, 0);
-  }
+  if (share) share_bodies_and_pairs(nullptr);
   rearrange(std::vector<std::uint32_t>(neighbours.better_order()));
   neighbours.rebuild(particles, boundaries, contacts, *threads);
 }

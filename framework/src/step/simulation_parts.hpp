@@ -51,10 +51,15 @@ struct SimulationParts {
   // Sorts the bodies in space if a search has found that many neighbours are distant in memory.
   void keep_neighbours_near() {
     if (!neighbours.better_order().empty()) sort_bodies();
+    if (share && share->dealt_after != neighbours.rebuilds()) deal_tiles();
   }
   void sort_bodies();
+  // Moves tiles to other ranks, after a search.
+  void deal_tiles();
   // Gives all ranks the state of all bodies.
   void share_bodies();
+  // And the pairs; see Contacts::share.
+  void share_bodies_and_pairs(const TileOwners* kept);
   // The bodies in the order of the scene: a copy if they are rearranged, valid until something moves them.
   Particles& in_scene_order();
   // See Simulation.

@@ -33,10 +33,14 @@
 namespace scree {
 
 Stepper::Stepper(SimulationParts& parts)
-    : parts_(parts),
-      tiles_(parts.particles.size()),
-      own_parts_(own_parts(tiles_, parts.share ? parts.share->owners : TileOwners(tiles_.count()))),
-      part_sums_(tiles_.parts()) {}
+    : parts_(parts), tiles_(parts.particles.size()), part_sums_(tiles_.parts()) {
+  take_own_parts();
+}
+
+void Stepper::take_own_parts() {
+  own_parts_ = own_parts(tiles_, parts_.share ? parts_.share->owners : TileOwners(tiles_.count()));
+  part_sums_.assign(tiles_.parts(), {});
+}
 
 bool Stepper::step(Next next, const std::function<void(double)>* after_substep) {
   const double h = parts_.scene.step;
@@ -106,7 +110,7 @@ std::optional<double> Stepper::substep(double step, std::optional<double> next) 
 void Stepper::begin_walls(double step, double kick) {
   SimulationParts& p = parts_;
   if (p.boundaries.displacement_speed() == 0) return p.boundaries.begin_step(force_time_, step);
-  if (!p.displaced_loads) p.displaced_loads.emplace(p.forces.features());
+  if (!p.displaced_loads) p.displaced_loads.emplace(p.forces.features(), p.share ? &*p.share : nullptr);
   p.boundaries.begin_step(force_time_, step, [&](std::size_t plane, const double* displacement) {
     return p.displaced_loads->load(
         {p.particles, p.contacts, p.laws, p.boundaries.planes(), p.boundaries.domain(), step, kick}, plane,

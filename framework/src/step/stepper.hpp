@@ -27,6 +27,9 @@ class Stepper {
 
   explicit Stepper(SimulationParts& parts);
 
+  // After tiles have been dealt to ranks.
+  void take_own_parts();
+
   // Takes one time step. Returns whether the state is sound: finite, no speed and no overlap above its limit.
   // after_substep: called with the length (s) of each substep, after which the bodies are complete.
   bool step(Next next, const std::function<void(double)>* after_substep = nullptr);

@@ -97,6 +97,44 @@ TEST_CASE("infinities and numbers that are not one pass through exact sums in an
   CHECK(std::isnan(sum_of({1, std::nan(""), 2})));
 }
 
+TEST_CASE("integers of several exact sums add up to those of their sum", "[exact_sum]") {
+  std::mt19937_64 generator(9);
+  std::uniform_int_distribution<int> exponent(-1080, 1020), count(0, 40);
+  std::uniform_real_distribution<double> mantissa(-1, 1);
+  for (int trial = 0; trial < 2000; ++trial) {
+    std::vector<std::int64_t> words(ExactSum::word_count, 0), of_share(ExactSum::word_count);
+    std::vector<double> terms;
+    const int centre = exponent(generator), width = trial % 3 == 0 ? 1000 : 20;
+    for (int share = 0; share < 5; ++share) {
+      ExactSum sum;
+      for (int k = count(generator); k > 0; --k) {
+        const int about = std::clamp(centre + exponent(generator) % width, -1080, 1010);
+        terms.push_back(std::ldexp(mantissa(generator), about));
+        if (trial % 4 == 1 && k % 2) terms.back() = terms.size() > 1 ? -terms[terms.size() - 2] : 0;
+        sum.add(terms.back());
+      }
+      sum.write(ExactSum::Words(of_share));
+      for (std::size_t k = 0; k < words.size(); ++k) words[k] += of_share[k];
+    }
+    REQUIRE(ExactSum::value_of(std::span<const std::int64_t, ExactSum::word_count>(words)) == sum_of(terms));
+  }
+}
+
+TEST_CASE("integers of exact sums keep infinities and numbers that are not one", "[exact_sum]") {
+  const auto together = [](double one, double other) {
+    std::vector<std::int64_t> words(ExactSum::word_count), more(ExactSum::word_count);
+    ExactSum first, second;
+    first.add(one), second.add(other);
+    first.write(ExactSum::Words(words)), second.write(ExactSum::Words(more));
+    for (std::size_t k = 0; k < words.size(); ++k) words[k] += more[k];
+    return ExactSum::value_of(std::span<const std::int64_t, ExactSum::word_count>(words));
+  };
+  CHECK(together(infinite, -5) == infinite);
+  CHECK(together(1e300, -infinite) == -infinite);
+  CHECK(std::isnan(together(infinite, -infinite)));
+  CHECK(std::isnan(together(std::nan(""), 1)));
+}
+
 TEST_CASE("sums of contacts over tiles are the same in any order of the tiles", "[exact_sum]") {
   std::mt19937_64 generator(5);
   std::normal_distribution<double> normal;

@@ -29,8 +29,9 @@ SCREE_HOT void evaluate_plane_load(const TileJob& job, scree_load& load) {
   LaneSums on_bodies;
   for (std::uint32_t g = 0; g < job.groups->size(); ++g) {
     const PairGroup& group = (*job.groups)[g];
-    for (std::size_t begin = group.begin; begin < group.end; begin += block_size) {
-      const auto count = std::uint32_t(std::min<std::size_t>(block_size, group.end - begin));
+    const PairRun& run = group.runs[job.tile];
+    for (std::size_t begin = run.begin; begin < run.end; begin += block_size) {
+      const auto count = std::uint32_t(std::min<std::size_t>(block_size, run.end - begin));
       const Tiles::PairBlock pairs = {g, begin, std::uint32_t(padded_to_lanes(count)), count};
       const BlockTask task = block_task(job, pairs);
       assert_layout(task);

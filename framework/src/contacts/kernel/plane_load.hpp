@@ -8,7 +8,7 @@ namespace scree::kernel {
 
 struct TileJob;
 
-// Evaluates all pairs of a job, which are with one plane, and writes their force on it (N); changes
+// Evaluates the pairs of a tile, which are with one plane, and writes their force on it (N); changes
 // histories, and nothing else. Needs neither tiles nor slots.
 using EvaluatePlaneLoad = void (*)(const TileJob&, scree_load& load);
 
