@@ -54,3 +54,29 @@ TEST_CASE("any number of ranks computes the same bits as one process", "[ranks]"
       }
     }
 }
+
+TEST_CASE("walls that try displacements move as with one process", "[ranks]") {
+  enum { servo = 5, massless = 6 };  // choices of `control`
+  for (const int dimension : {2, 3})
+    for (const double control : {double(servo), double(massless)}) {
+      Scene scene = sliding_layers(dimension);
+      auto& high = scene.boundaries.back().parameters;
+      high.set("control", {control});
+      high.set("force", {0, 40});
+      high.set("speed_limit", {2});
+      const State alone = after_steps(scene, nullptr, 60);
+      for (const bool at_random : {false, true}) {
+        INFO(dimension << "D, control " << control);
+        check_same(over_ranks(scene, 3, at_random, 60), alone);
+      }
+    }
+}
+
+TEST_CASE("a scene of one tile is computed by one of several ranks", "[ranks]") {
+  Scene scene = sliding_layers(2);
+  scene.bodies.resize(900);
+  scene.groups.clear();
+  const State alone = after_steps(scene, nullptr, 60);
+  check_same(over_ranks(scene, 3, false, 60), alone);
+  check_same(over_ranks(scene, 3, true, 60), alone);
+}
