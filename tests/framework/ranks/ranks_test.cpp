@@ -55,6 +55,18 @@ TEST_CASE("any number of ranks computes the same bits as one process", "[ranks]"
     }
 }
 
+TEST_CASE("loads that tiles of several ranks exert on a body are added in the order of the tiles", "[ranks]") {
+  for (const int dimension : {2, 3}) {
+    const Scene scene = sliding_layers(dimension, 3);
+    const State alone = after_steps(scene, nullptr, 30);
+    for (const unsigned ranks : {3u, 5u})
+      for (const bool at_random : {false, true}) {
+        INFO(dimension << "D, " << ranks << " ranks");
+        check_same(over_ranks(scene, ranks, at_random, 30), alone);
+      }
+  }
+}
+
 TEST_CASE("walls that try displacements move as with one process", "[ranks]") {
   enum { servo = 5, massless = 6 };  // choices of `control`
   for (const int dimension : {2, 3})
