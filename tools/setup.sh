@@ -6,7 +6,7 @@ scree_packages=(
   g++ cmake ninja-build
   libcli11-dev libfmt-dev libtomlplusplus-dev
   nlohmann-json3-dev libhdf5-dev libfftw3-dev libeigen3-dev libmetis-dev libsuitesparse-dev
-  libcairo2-dev fonts-dejavu-core catch2
+  libcairo2-dev fonts-dejavu-core catch2 libopenmpi-dev openmpi-bin
 )
 # An oracle of tests, what the Python package reads with, and what makes films; tests do without them where they are missing.
 test_packages=(libmumps-seq-dev python3-h5py python3-pandas ffmpeg)

@@ -24,7 +24,7 @@ std::optional<unsigned> number_in(const char* variable) {
 
 // Variables of mpirun go before those of Slurm, whose step then consists of one daemon for each node.
 // SLURM_NTASKS says nothing: in a batch script, where one process runs alone, it is what the job asked for.
-bool has_fellow_tasks() {
+bool is_one_of_several_tasks() {
   for (const char* const size : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "MV2_COMM_WORLD_SIZE"})
     if (const auto tasks = number_in(size)) return *tasks > 1;
   if (number_in("PMIX_RANK").value_or(0) > 0) return true;

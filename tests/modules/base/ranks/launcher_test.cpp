@@ -35,39 +35,41 @@ class Environment {
   Variables before_;
 };
 
-bool has_fellows(const Variables& variables) {
+bool is_one_of_several(const Variables& variables) {
   const Environment environment(variables);
-  return ranks::has_fellow_tasks();
+  return ranks::is_one_of_several_tasks();
 }
 
 }  // namespace
 
 TEST_CASE("mpirun tells how many tasks it has started", "[launcher]") {
-  CHECK_FALSE(has_fellows({}));
+  CHECK_FALSE(is_one_of_several({}));
   for (const char* size : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "MV2_COMM_WORLD_SIZE"}) {
-    CHECK(has_fellows({{size, "8"}}));
-    CHECK_FALSE(has_fellows({{size, "1"}}));
-    CHECK_FALSE(has_fellows({{size, ""}}));
-    CHECK_FALSE(has_fellows({{size, "-2"}}));
-    CHECK_FALSE(has_fellows({{size, "8 tasks"}}));
+    CHECK(is_one_of_several({{size, "8"}}));
+    CHECK_FALSE(is_one_of_several({{size, "1"}}));
+    CHECK_FALSE(is_one_of_several({{size, ""}}));
+    CHECK_FALSE(is_one_of_several({{size, "-2"}}));
+    CHECK_FALSE(is_one_of_several({{size, "8 tasks"}}));
   }
-  CHECK(has_fellows({{"PMIX_RANK", "1"}}));
-  CHECK_FALSE(has_fellows({{"PMIX_RANK", "0"}}));
+  CHECK(is_one_of_several({{"PMIX_RANK", "1"}}));
+  CHECK_FALSE(is_one_of_several({{"PMIX_RANK", "0"}}));
 }
 
 TEST_CASE("srun tells how many tasks its step has", "[launcher]") {
   const std::string first = GENERATE("0", "3");
-  CHECK(has_fellows({{"SLURM_NTASKS", "8"}, {"SLURM_PROCID", first}, {"SLURM_STEP_NUM_TASKS", "8"}}));
-  CHECK(has_fellows({{"PMIX_RANK", first}, {"SLURM_PROCID", first}, {"SLURM_STEP_NUM_TASKS", "8"}}));
-  CHECK_FALSE(has_fellows({{"SLURM_NTASKS", "8"}, {"SLURM_PROCID", "0"}, {"SLURM_STEP_NUM_TASKS", "1"}}));
+  CHECK(is_one_of_several({{"SLURM_NTASKS", "8"}, {"SLURM_PROCID", first}, {"SLURM_STEP_NUM_TASKS", "8"}}));
+  CHECK(is_one_of_several({{"PMIX_RANK", first}, {"SLURM_PROCID", first}, {"SLURM_STEP_NUM_TASKS", "8"}}));
+  CHECK_FALSE(
+      is_one_of_several({{"SLURM_NTASKS", "8"}, {"SLURM_PROCID", "0"}, {"SLURM_STEP_NUM_TASKS", "1"}}));
 }
 
 TEST_CASE("the script of a batch job runs alone, whatever the job asked for", "[launcher]") {
-  CHECK_FALSE(has_fellows({{"SLURM_NTASKS", "8"}, {"SLURM_PROCID", "0"}}));
-  CHECK(has_fellows({{"SLURM_NTASKS", "8"}, {"SLURM_PROCID", "5"}}));
+  CHECK_FALSE(is_one_of_several({{"SLURM_NTASKS", "8"}, {"SLURM_PROCID", "0"}}));
+  CHECK(is_one_of_several({{"SLURM_NTASKS", "8"}, {"SLURM_PROCID", "5"}}));
 }
 
 TEST_CASE("mpirun in a Slurm job counts its own tasks, not its daemons", "[launcher]") {
-  CHECK(has_fellows({{"OMPI_COMM_WORLD_SIZE", "8"}, {"SLURM_STEP_NUM_TASKS", "1"}, {"SLURM_PROCID", "0"}}));
-  CHECK_FALSE(has_fellows({{"PMI_SIZE", "1"}, {"SLURM_STEP_NUM_TASKS", "2"}, {"SLURM_PROCID", "1"}}));
+  CHECK(is_one_of_several(
+      {{"OMPI_COMM_WORLD_SIZE", "8"}, {"SLURM_STEP_NUM_TASKS", "1"}, {"SLURM_PROCID", "0"}}));
+  CHECK_FALSE(is_one_of_several({{"PMI_SIZE", "1"}, {"SLURM_STEP_NUM_TASKS", "2"}, {"SLURM_PROCID", "1"}}));
 }

@@ -140,22 +140,22 @@ class MpiRanks final : public Ranks {
     std::vector<Bytes> incoming(size_);
     for (const unsigned r : others()) incoming[r].resize(sizes_here[r]);
     incoming[rank_] = outgoing[rank_];
-    for (const unsigned r : others()) receive(r, exchange_tag, incoming[r], all_.exchanged);
-    for (const unsigned r : others()) send(r, exchange_tag, outgoing[r], all_.exchanged);
+    for (const unsigned r : others()) receive(r, incoming[r], all_.exchanged);
+    for (const unsigned r : others()) send(r, outgoing[r], all_.exchanged);
     wait(all_.exchanged);
     return incoming;
   }
 
   void begin(std::span<const Sent> sent, std::span<const Received> received) override {
     for (const Received& message : received)
-      receive(message.from, begun_tag, std::as_writable_bytes(message.numbers), all_.begun);
-    for (const Sent& message : sent) send(message.to, begun_tag, std::as_bytes(message.numbers), all_.begun);
+      receive(message.from, std::as_writable_bytes(message.numbers), all_.begun);
+    for (const Sent& message : sent) send(message.to, std::as_bytes(message.numbers), all_.begun);
   }
 
   void finish() override { wait(all_.begun); }
 
  private:
-  static constexpr int begun_tag = 1, exchange_tag = 2;
+  static constexpr int tag = 0;
 
   // From the next rank on, so that not all ranks send to the same one first.
   std::vector<unsigned> others() const {
@@ -164,15 +164,16 @@ class MpiRanks final : public Ranks {
     return ranks;
   }
 
-  // Pieces of a message arrive in the order in which they are sent: MPI keeps it for the same tag.
-  void receive(unsigned from, int tag, std::span<std::byte> data, std::vector<MPI_Request>& requests) {
+  // Between two ranks MPI keeps the order of messages with the same tag, so that neither pieces of a message
+  // nor messages that are begun and exchanged are taken for one another.
+  void receive(unsigned from, std::span<std::byte> data, std::vector<MPI_Request>& requests) {
     each_piece(data, piece_, [&](std::span<std::byte> piece) {
       check(MPI_Irecv(piece.data(), int(piece.size()), MPI_BYTE, int(from), tag, all_.ranks,
                       &requests.emplace_back(MPI_REQUEST_NULL)),
             "receive");
     });
   }
-  void send(unsigned to, int tag, std::span<const std::byte> data, std::vector<MPI_Request>& requests) {
+  void send(unsigned to, std::span<const std::byte> data, std::vector<MPI_Request>& requests) {
     each_piece(data, piece_, [&](std::span<const std::byte> piece) {
       check(MPI_Isend(piece.data(), int(piece.size()), MPI_BYTE, int(to), tag, all_.ranks,
                       &requests.emplace_back(MPI_REQUEST_NULL)),

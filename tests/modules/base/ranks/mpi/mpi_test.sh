@@ -39,7 +39,7 @@ start 60 failure-of-all
 expect 3 '^rank [0-9]+ fails$'
 start 60 joined-twice
 expect 1 '^MPI: is joined a second time; join it once$'
-# A message under way keeps none from ending.
+# A message under way when a rank fails: the process ends all the same.
 start 60 failure-between
 expect 3 '^rank [0-9]+ fails$'
 # A failure of one rank ends the others, which wait for it.
