@@ -43,7 +43,7 @@ class RepeatedScene {
  private:
   void begin() {
     ++begun_;
-    simulation_ = run::set_up(plan_, options_.threads);
+    simulation_ = run::set_up(plan_, options_.threads, options_.ranks);
     stages_ = std::make_unique<StageRunner>(run::stage_runner(*simulation_, plan_));
     const double h = simulation_->step_length();
     while (!stages_->finished() && simulation_->time() < options_.start - 0.5 * h) {
@@ -103,6 +103,7 @@ BenchResult time_steps(const scenario::Plan& plan, const BenchOptions& options) 
   r.bytes_per_contact = footprint.bytes_per_pair;
   r.listed_pairs = footprint.listed_pairs;
   r.crossing_share = footprint.crossing_share;
+  r.state_hash = s.state_hash();
   return r;
 }
 

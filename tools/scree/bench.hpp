@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <scree/profile.hpp>
+#include <scree/ranks.hpp>
 #include <scree/scenario/plan.hpp>
 #include <scree/stage.hpp>
 
@@ -16,6 +17,7 @@ struct BenchOptions {
   double start = 0;         // (s) in the scene, from when on steps are timed
   std::uint64_t steps = 0;  // of a repeat; 0: as many as take `seconds`
   double seconds = 0.5;
+  Ranks* ranks = nullptr;  // that compute the scene together, in the same steps; or null
 };
 
 // What one benchmark came to.
@@ -28,6 +30,7 @@ struct BenchResult {
   std::vector<double> s_per_step;  // of each repeat
   Profile profile;                 // of one more repeat
   std::uint64_t searches;          // for neighbours, in that
+  std::uint64_t state_hash;        // at the end
 
   double median() const;
 };

@@ -12,6 +12,8 @@
 #include <scree/counted.hpp>
 #include <scree/document/message.hpp>
 #include <scree/files/csv_line.hpp>
+#include <scree/ranks/join_ranks.hpp>
+#include <scree/ranks/launcher.hpp>
 
 namespace scree::tool {
 
@@ -22,6 +24,7 @@ struct BenchArguments {
   std::vector<std::string> overrides;
   BenchOptions options;
   PluginOptions plugins;
+  bool over_ranks = false;
 };
 
 std::filesystem::path scenes_folder() {
@@ -48,9 +51,11 @@ std::filesystem::path scene_file(const std::string& scene) {
 // Not finite without contacts.
 double ns_per_contact(const BenchResult& r) { return 1e9 * r.median() / double(r.contacts); }
 
-void print(const std::string& scene, unsigned threads, const BenchResult& r) {
+void print(const std::string& scene, const BenchOptions& options, const BenchResult& r) {
+  const unsigned threads = options.threads;
   const auto [fastest, slowest] = std::minmax_element(r.s_per_step.begin(), r.s_per_step.end());
-  fmt::print("{}: {}, {}, {}\n", scene, counted(r.particles, "particle"), counted(r.contacts, "contact"),
+  fmt::print("{}: {}, {}, {}{}\n", scene, counted(r.particles, "particle"), counted(r.contacts, "contact"),
+             options.ranks ? counted(options.ranks->size(), "rank") + " of " : "",
              counted(threads, "thread"));
   fmt::print("{:.4g} ms per step ({:.4g} to {:.4g} in {} of {}, starting at t = {:.4g} s)\n",
              1e3 * r.median(), 1e3 * *fastest, 1e3 * *slowest, counted(r.s_per_step.size(), "repeat"),
@@ -58,12 +63,16 @@ void print(const std::string& scene, unsigned threads, const BenchResult& r) {
   fmt::print("{:.3g} million particle-steps per second", 1e-6 * double(r.particles) / r.median());
   if (r.contacts > 0) fmt::print(", {:.3g} ns per contact", ns_per_contact(r));
   fmt::print("; {} bytes per particle, {} bytes per contact\n", r.bytes_per_particle, r.bytes_per_contact);
+  if (options.steps > 0)
+    fmt::print("state hash {:016x} at the end, the same for any number of threads and ranks\n", r.state_hash);
   if (r.crossing_share > 0)
     fmt::print("{:.1f} % of the listed pairs are between two tiles\n", 100 * r.crossing_share);
   double all = 0;
   for (int k = 0; k < Profile::phase_count; ++k) all += r.profile.seconds(Profile::Phase(k));
   fmt::print("time per phase{}, from one extra repeat (includes timer overhead):\n",
-             threads > 1 ? " on the first thread" : "");
+             options.ranks ? " on the first rank"
+             : threads > 1 ? " on the first thread"
+                           : "");
   for (int k = 0; k < Profile::phase_count; ++k) {
     const double seconds = r.profile.seconds(Profile::Phase(k));
     fmt::print("  {:<12} {:>9.4g} us {:>5.1f} %{}\n", Profile::names[std::size_t(k)],
@@ -120,14 +129,30 @@ std::string csv_row(const std::string& scene, unsigned threads, const BenchResul
   return files::csv_line(cells);
 }
 
+// Ranks that go on for a time would take different numbers of steps.
+std::unique_ptr<Ranks> joined_ranks(const BenchArguments& a) {
+  if (!a.over_ranks) {
+    if (!ranks::is_one_of_several_tasks()) return nullptr;
+    throw Error("the program was started several times by mpirun or srun; give --ranks");
+  }
+  if (a.options.steps == 0)
+    throw Error("--ranks needs --steps, so that all ranks take the same number of steps");
+  return ranks::join_ranks();
+}
+
 ExitStatus bench(const BenchArguments& a) {
+  const std::unique_ptr<Ranks> ranks = joined_ranks(a);
+  const bool is_first = !ranks || ranks->rank() == 0;
   PluginHost host = make_host(a.plugins);
   const scenario::Plan plan = scenario::read_plan(scene_file(a.scene), a.overrides, host, study_tables());
   Table csv;
-  if (!a.csv.empty()) csv = table_at(a.csv);
+  if (!a.csv.empty() && is_first) csv = table_at(a.csv);
   const std::string name = std::filesystem::path(a.scene).stem().string();
-  const BenchResult result = time_steps(plan, a.options);
-  print(name, a.options.threads, result);
+  BenchOptions options = a.options;
+  options.ranks = ranks.get();
+  const BenchResult result = time_steps(plan, options);
+  if (!is_first) return ExitStatus::success;
+  print(name, options, result);
   if (a.csv.empty()) return ExitStatus::success;
   if (!(csv.file << csv.before << csv_row(name, a.options.threads, result) << std::flush))
     throw Error(fmt::format("{}: cannot be written; free disk space or give another --csv", a.csv),
@@ -147,7 +172,8 @@ std::string footer() {
       "gather (copy the bodies of pairs), geometry (overlaps, relative motion), law (the plug-in), reduce (torques, "
       "sums of\n"
       "forces and energies), body_forces (plug-ins), audit (momentum)\n\n"
-      "Example: scree bench beads-4096 --threads 2 --csv bench.csv",
+      "Examples: scree bench beads-4096 --threads 2 --csv bench.csv\n"
+      "          mpirun -n 4 scree bench beads-102400 --ranks --steps 100",
       fmt::join(scene_names(), ", "));
 }
 
@@ -169,6 +195,8 @@ void add_bench_verb(CommandLine& line) {
   verb.option("--steps", o.steps, "Steps per repeat, instead of --seconds")
       .between(1, 1e12)
       .excludes(seconds);
+  verb.flag("--ranks", a->over_ranks,
+            "One scene over the processes that mpirun or srun has started; needs --steps");
   verb.option("--csv", a->csv, "Append a row to this CSV file; a new file gets a header").shown_as("FILE");
   verb.option("--set", a->overrides, "Change a value of the scene").shown_as("KEY=VALUE");
   add_plugin_options(verb, a->plugins);

@@ -312,6 +312,7 @@ Footprint Simulation::footprint() const {
   std::uint32_t width = 0;
   for (const LawInstance& law : parts_->laws) width = std::max(width, law.interface.history_width);
   const std::size_t spins = std::size_t(p.spin_axes().last - p.spin_axes().first);
+  const Contacts& all = contacts();
   const auto fixed = std::size_t(std::count(p.fixed.begin(), p.fixed.end(), 1));
   const auto held = p.held.size() - std::size_t(std::count(p.held.begin(), p.held.end(), 0));
   std::size_t held_components = 0;
@@ -323,8 +324,8 @@ Footprint Simulation::footprint() const {
           .bytes_per_body = p.bytes_per_body(),
           .bytes_per_pair = parts_->forces.bytes_per_pair() + width * sizeof(double),
           .history_width = width,
-          .listed_pairs = parts_->contacts.listed(),
-          .crossing_share = parts_->contacts.crossing().share()};
+          .listed_pairs = all.listed(),
+          .crossing_share = all.crossing().share()};
 }
 
 }  // namespace scree

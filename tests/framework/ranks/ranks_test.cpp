@@ -55,7 +55,8 @@ TEST_CASE("any number of ranks computes the same bits as one process", "[ranks]"
     }
 }
 
-TEST_CASE("loads that tiles of several ranks exert on a body are added in the order of the tiles", "[ranks]") {
+TEST_CASE("loads that tiles of several ranks exert on a body are added in the order of the tiles",
+          "[ranks]") {
   for (const int dimension : {2, 3}) {
     const Scene scene = sliding_layers(dimension, 3);
     const State alone = after_steps(scene, nullptr, 30);

@@ -16,17 +16,21 @@ namespace scree::run {
 namespace {
 
 // A simulation of a scene, from the state with which the plan begins if there is one.
-std::unique_ptr<Simulation> simulation_of(const scenario::Plan& plan, const Scene& scene) {
-  if (!plan.from_state) return std::make_unique<Simulation>(scene);
+std::unique_ptr<Simulation> simulation_of(const scenario::Plan& plan, const Scene& scene,
+                                          Ranks* ranks = nullptr) {
+  if (!plan.from_state) return std::make_unique<Simulation>(scene, ranks);
+  if (ranks)
+    throw Error(plan.bodies_place, "a scene that begins from a state is not computed over ranks",
+                "leave out --ranks");
   return std::make_unique<Simulation>(scene, *plan.from_state, plan.branching);
 }
 
-std::unique_ptr<Simulation> make_simulation(const scenario::Plan& plan, unsigned threads) {
+std::unique_ptr<Simulation> make_simulation(const scenario::Plan& plan, unsigned threads, Ranks* ranks) {
   // What the first stage sets holds before the first force.
   Scene scene = scene_in_stage(plan.scene, plan.stages, 0);
   scene.threads = threads;
   try {
-    return simulation_of(plan, scene);
+    return simulation_of(plan, scene, ranks);
   } catch (const Error& error) {
     // Errors of the scene as a whole concern either the bodies or, as bad input, a periodic length.
     const bool of_bodies = error.status() != ExitStatus::bad_input || plan.periodic_place.empty() ||
@@ -116,8 +120,8 @@ void check_later_stages(const scenario::Plan& plan) {
 
 }  // namespace
 
-std::unique_ptr<Simulation> set_up(const scenario::Plan& plan, unsigned threads) {
-  auto simulation = make_simulation(plan, threads);
+std::unique_ptr<Simulation> set_up(const scenario::Plan& plan, unsigned threads, Ranks* ranks) {
+  auto simulation = make_simulation(plan, threads, ranks);
   if (const auto problem = plan.step_guard ? step_problem(*simulation) : std::nullopt)
     throw problem->at(plan.step_place);
   check_later_stages(plan);

@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include <scree/ranks.hpp>
 #include <scree/scenario/plan.hpp>
 #include <scree/simulation.hpp>
 #include <scree/state_transfer.hpp>
@@ -11,8 +12,9 @@ namespace scree::run {
 
 // Sets up the simulation of a plan at t = 0. Throws Error (bad_input), with the position in the file, if
 // bodies overlap beyond the limit, are too fast or do not fit a periodic length, if the time step is too
-// long, or if a probe reads something that does not exist.
-std::unique_ptr<Simulation> set_up(const scenario::Plan& plan, unsigned threads = 1);
+// long, or if a probe reads something that does not exist. ranks: that compute the scene together, each of
+// which sets it up and makes the same calls; or null.
+std::unique_ptr<Simulation> set_up(const scenario::Plan& plan, unsigned threads = 1, Ranks* ranks = nullptr);
 
 // The simulation of a plan at t = 0 with the parameters of its last stage, for checks of walls and laws
 // before a step is taken; null if they do not fit the bodies there.
