@@ -161,7 +161,7 @@ void Forces::sum_loads(const Particles& particles, std::vector<scree_load>& load
   }
 }
 
-const PairColumns& Forces::pair_forces() const { return work_->constants.force; }
+PairColumns& Forces::pair_forces() { return work_->constants.force; }
 
 std::size_t Forces::bytes_per_pair() const {
   return work_->constants.bytes_per_pair() + 4 * sizeof(std::uint32_t) + sizeof(std::uint8_t);
@@ -184,7 +184,7 @@ std::vector<std::uint32_t> in_order_of_state(const Contacts& contacts, const Bod
 }  // namespace
 
 void Forces::save(const StateTransfer& state, const BodyOrder& order, const Contacts& contacts,
-                  const PairColumns& forces) const {
+                  PairColumns& forces) const {
   double max_overlap_ratio = work_->max_overlap_ratio;
   state.value("max_overlap_ratio", "1", max_overlap_ratio, stored::non_negative);
   if (!features_.pair_forces) return;
@@ -194,7 +194,7 @@ void Forces::save(const StateTransfer& state, const BodyOrder& order, const Cont
     if (pairs[row] != padding && forces.is_used(pairs[row]))
       rows.push_back(row), stored.push_back(pairs[row]);
   state.rows("force_row", "", rows);
-  PairColumns(forces).transfer(state, "force", "N", stored);
+  forces.transfer(state, "force", "N", stored);
 }
 
 void Forces::restore(const StateTransfer& state, Particles& particles, const Contacts& contacts,

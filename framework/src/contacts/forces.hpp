@@ -80,7 +80,7 @@ class Forces {
   // Forces of pairs in the last evaluation, and the largest overlap so far; `forces` if these are pairs of
   // all ranks.
   void save(const class StateTransfer& state, const BodyOrder& order, const Contacts& contacts,
-            const PairColumns& forces) const;
+            PairColumns& forces) const;
   void restore(const class StateTransfer& state, Particles& particles, const Contacts& contacts,
                const std::vector<LawInstance>& laws, std::size_t planes, ThreadPool& threads);
 
@@ -88,7 +88,7 @@ class Forces {
   static bool are_in(const class State& state);
 
   // Force on a of each pair in the last evaluation (N); no columns if pair forces are not stored.
-  const PairColumns& pair_forces() const;
+  PairColumns& pair_forces();
   std::uint32_t columns() const { return features_.pair_forces ? std::uint32_t(features_.dimension) : 0; }
   std::size_t bytes_per_pair() const;
 

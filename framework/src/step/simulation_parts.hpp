@@ -103,7 +103,7 @@ struct SimulationParts {
   // The pairs of all ranks, and the forces of these.
   struct Pairs {
     Contacts& contacts;
-    const PairColumns& forces;
+    PairColumns& forces;
   };
   Pairs all_pairs();
   // After the state has changed: what was copied for observers is no longer current.
