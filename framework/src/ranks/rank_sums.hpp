@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include <scree/ranks.hpp>
@@ -15,15 +16,17 @@ namespace scree {
 class RankSums {
  public:
   // Null: one process has all tiles.
-  explicit RankSums(Ranks* ranks) : ranks_(ranks) {}
+  explicit RankSums(Ranks* ranks) {
+    if (ranks) message_.reset(new Message{*ranks});
+  }
 
-  bool over_ranks() const { return ranks_ != nullptr; }
+  bool over_ranks() const { return message_ != nullptr; }
   // Sets a number to the sum of term(tile) over all tiles, once `close` is called; with one process at once.
   // Each rank gives all tiles, of which the term is 0 for tiles of other ranks. A single tile counts as it
   // is.
   template <class Tiles, class Term>
   void sum(double& target, const Tiles& tiles, const Term& term) {
-    if (!ranks_) {
+    if (!message_) {
       target = exact_sum(tiles, term);
     } else if (tiles.size() == 1) {
       add_single(target, term(*tiles.begin()));
@@ -35,28 +38,36 @@ class RankSums {
   }
   // Sets a number, which must not be NaN, to the largest of all ranks.
   void largest(double& number) {
-    if (ranks_) largest_.push_back(&number);
+    if (message_) message_->largest.push_back(&number);
   }
   // Sets a flag to whether it is set on all ranks.
   void all(bool& flag) {
-    if (ranks_) flags_.push_back(&flag);
+    if (message_) message_->flags.push_back(&flag);
   }
   // Sets a count to its sum over all ranks.
   void total(std::int64_t& count) {
-    if (ranks_) counts_.push_back(&count);
+    if (message_) message_->counts.push_back(&count);
   }
   // Exchanges what was given.
-  void close();
+  void close() {
+    if (message_) exchange();
+  }
 
  private:
+  // What is exchanged; one process has none.
+  struct Message {
+    Ranks& ranks;
+    std::vector<double*> singles = {}, sums = {}, largest = {};
+    std::vector<bool*> flags = {};
+    std::vector<std::int64_t*> counts = {};
+    std::vector<std::int64_t> bits_of_singles = {}, words_of_sums = {};
+  };
+
   void add_single(double& target, double term);
   void add(double& target, const ExactSum& sum);
+  void exchange();
 
-  Ranks* ranks_;
-  std::vector<double*> singles_, sums_, largest_;
-  std::vector<bool*> flags_;
-  std::vector<std::int64_t*> counts_;
-  std::vector<std::int64_t> bits_of_singles_, words_of_sums_;
+  std::unique_ptr<Message> message_;
 };
 
 }  // namespace scree
