@@ -53,6 +53,7 @@ TEST_CASE("any number of ranks computes the same bits as one process", "[ranks]"
       const int steps = integration == Integration::fourth_order ? 40 : 120;
       const State alone = after_steps(scene, nullptr, steps);
       for (const unsigned ranks : {1u, 2u, 3u, 4u}) {
+        if (scree::test::sanitized && (ranks == 1 || ranks == 4)) continue;
         const bool at_random = ranks % 2 == 0;
         INFO("integrator " << int(integration) << ", " << dimension << "D, " << ranks << " ranks");
         check_same(over_ranks(scene, ranks, at_random, steps), alone);
