@@ -64,7 +64,7 @@ TEST_CASE("any number of ranks computes the same bits as one process", "[ranks]"
 TEST_CASE("loads that tiles of several ranks exert on a body are added in the order of the tiles",
           "[ranks]") {
   for (const int dimension : {2, 3}) {
-    const Scene scene = sliding_layers(dimension, 3);
+    const Scene scene = sliding_layers(dimension, 2);
     const State alone = after_steps(scene, nullptr, few_steps / 2);
     for (const unsigned ranks : {3u, 5u})
       for (const bool at_random : {false, true}) {

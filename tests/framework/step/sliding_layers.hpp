@@ -11,10 +11,10 @@ namespace scree::test {
 
 // Layers of touching bodies that pass each other closely, between walls and periodic faces; some bodies are
 // held in part, loaded or fixed, so that the others push each other aside.
-// times: as many bodies, more than two tiles from 2 on.
+// times: as long along two axes, so that tiles border on several others from 2 on.
 inline Scene sliding_layers(int dimension, int times = 1) {
-  const int columns = times * (dimension == 2 ? 64 : 16), rows = dimension == 2 ? 34 : 15,
-            depth = dimension == 2 ? 1 : 10;
+  const int columns = times * (dimension == 2 ? 64 : 16), rows = dimension == 2 ? times * 34 : 15,
+            depth = dimension == 2 ? 1 : times * 10;
   const double spacing = 1.96, height = 2.01;
   std::vector<Body> bodies;
   for (int i = 0; i < columns * rows * depth; ++i) {
