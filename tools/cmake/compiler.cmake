@@ -43,7 +43,8 @@ endif()
 
 find_program(SCREE_CCACHE ccache)
 if(SCREE_CCACHE)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${SCREE_CCACHE})
+  # Paths below the sources count from there, so that another copy of them is compiled from what the first one has left.
+  set(CMAKE_CXX_COMPILER_LAUNCHER env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} ${SCREE_CCACHE})
   # Without leave to be sloppy it caches nothing that includes them.
   set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
 endif()
