@@ -132,8 +132,8 @@ class Particles {
   // Copies rearranged bodies to where each is at the place of its number, into an earlier copy of them.
   void copy_in_scene_order(Particles& copy) const;
 
-  // Gives all ranks the state of all bodies, of which each has the bodies of its tiles.
-  void share(const struct RankShare& share);
+  // Sends the state of bodies to other ranks.
+  void send(class Ranks& ranks, const class RowRoutes& routes);
 
   // Moves the bodies to centres (m) without jumps at periodic faces, at rest and without loads.
   void come_to_rest(std::span<const Vec3> centres, const Domain& domain);

@@ -33,6 +33,7 @@ struct RecordedPlugin {
 // Throw Error if these arrays do not fit one another.
 std::vector<RecordedPlugin> recorded_laws(const State& state);
 std::vector<RecordedPlugin> recorded_boundaries(const State& state);
+std::vector<RecordedPlugin> recorded_body_forces(const State& state);
 int dimension_of(const State& state);
 std::vector<std::int64_t> recorded_ids(const State& state);
 

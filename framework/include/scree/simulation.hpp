@@ -36,16 +36,17 @@ struct Footprint {
 class Simulation {
  public:
   // Sets up the scene and evaluates the forces at t = 0. Throws Error for an invalid scene.
-  // ranks: that compute it together, each with the same scene and the same calls; or null.
+  // ranks: that compute it together with this one, the first of them, while they are in follow_first_rank();
+  // or null.
   explicit Simulation(const Scene& scene, Ranks* ranks = nullptr);
   // Goes on from a state of the same scene, to the same bits as if it had never stopped. The scene has the
   // bodies of the start (see scene_record.hpp) and the parameters of the present stage. Throws Error if the
   // state belongs to another scene.
-  Simulation(const Scene& scene, const State& state);
+  Simulation(const Scene& scene, const State& state, Ranks* ranks = nullptr);
   // Begins at t = 0 from a state of another simulation, whose bodies come first in the scene, as they were in
   // the state (see branching.hpp). Without other changes the motion goes on to the same bits. Throws Error if
   // something in the state has no place in the scene.
-  Simulation(const Scene& scene, const State& state, const Branching& branching);
+  Simulation(const Scene& scene, const State& state, const Branching& branching, Ranks* ranks = nullptr);
   ~Simulation();
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
@@ -154,12 +155,19 @@ class Simulation {
   void add_body_forces(scree_body_batch& batch, double time) const;
   const Contacts& contacts() const;
 
+  // Whether another rank had been asked to stop, as of the last step.
+  bool is_interrupted_elsewhere() const;
+
  private:
+  friend class Follower;
+  explicit Simulation(std::unique_ptr<SimulationParts> parts);
+  // Has the other ranks compute their shares from now on.
+  void share_with(Ranks* ranks);
   // Takes one step; `observed`: the bodies must be complete at its end.
   void advance(bool observed, const std::function<void(double)>* after_substep = nullptr);
   void check_health(bool sound) const;
   // Pairs that touch, and on request those that are apart but loaded.
-  ContactList contacts_of_all_ranks(bool loaded) const;
+  ContactList listed_contacts(bool loaded) const;
   void start_springs();
   void start_audits();
 

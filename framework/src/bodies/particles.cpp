@@ -1,4 +1,4 @@
-#include "ranks/share_rows.hpp"
+#include "ranks/row_routes.hpp"
 
 #include <algorithm>
 
@@ -97,13 +97,12 @@ void Particles::copy_in_scene_order(Particles& copy) const {
   copy.order_ = {};
 }
 
-void Particles::share(const RankShare& share) {
-  const BodyTiles tiles(size());
-  share_rows(share, tiles, records_.data(), width());
-  share_rows(share, tiles, loads_.data(), load_width());
+void Particles::send(Ranks& ranks, const RowRoutes& routes) {
+  routes.send(ranks, records_.data(), width());
+  routes.send(ranks, loads_.data(), load_width());
   for (Column<std::int32_t>& column : image)
-    if (!column.empty()) share_rows(share, tiles, column.data(), 1);
-  if (orientations) share_rows(share, tiles, orientations.data(), orientations.stride());
+    if (!column.empty()) routes.send(ranks, column.data(), 1);
+  if (orientations) routes.send(ranks, orientations.data(), orientations.stride());
 }
 
 void Particles::come_to_rest(std::span<const Vec3> centres, const Domain& domain) {

@@ -91,10 +91,9 @@ class Contacts {
   // After bodies have been moved in memory: each place has taken the body at the place `from[place]`.
   void rearrange(const std::vector<std::uint32_t>& from);
 
-  // Gives all ranks the pairs and histories of all, of which each has the pairs of its tiles, and further
-  // columns of all pairs, `width` of them. kept: takes pairs of tiles that are its own there, or all if null.
-  void share(const struct RankShare& share, const class TileOwners* kept, PairColumns& further,
-             std::uint32_t width);
+  // Gives each rank the pairs and histories of its tiles, and further columns of the pairs, `width` of them.
+  void send_to_owners(class Ranks& ranks, const class TileOwners& owners, PairColumns& further,
+                      std::uint32_t width);
 
   // Number of pairs without padding.
   std::size_t listed() const;
@@ -157,10 +156,10 @@ class Contacts {
   void set_pair(std::size_t index, std::uint32_t first, std::uint32_t second, std::uint8_t code) {
     a[index] = first, b[index] = second, image[index] = code;
   }
-  // Adds the pairs of a group on all ranks, and the numbers of each pair.
-  void share_group(const struct RankShare& share, const class TileOwners* kept, const PairGroup& group,
-                   const PairColumns& further, std::uint32_t width, std::vector<Listed>& pairs,
-                   std::vector<double>& numbers) const;
+  // The pairs of a group that come to this rank.
+  struct Arrived;
+  Arrived exchange_group(class Ranks& ranks, const class TileOwners& owners, const PairGroup& group,
+                         const PairColumns& further, std::uint32_t width) const;
   void carry_histories(ThreadPool& threads);
   // Behind the bodies of a tile; without tiles, behind all.
   std::size_t end_of(std::size_t tile) const {

@@ -37,18 +37,23 @@ scree_load DisplacedLoads::load(const Scene& scene, std::size_t plane, const dou
                                          .pair_forces = false,
                                          .max_overlap_ratio = 0};
   std::vector<scree_load> of_tiles(BodyTiles(scene.particles.size()).count(), scree_load{});
+  const auto evaluate = [&](std::size_t tile) {
+    evaluate_({.input = &input,
+               .tiles = nullptr,
+               .tile = tile,
+               .groups = &pairs.contacts.groups(),
+               .laws = scene.laws.data(),
+               .constants = &pairs.constants,
+               .slots = nullptr,
+               .sums = nullptr,
+               .profile = nullptr},
+              of_tiles[tile]);
+  };
   for (std::size_t tile = 0; tile < of_tiles.size(); ++tile)
-    if (!share_ || share_->owners.is_own(tile))
-      evaluate_({.input = &input,
-                 .tiles = nullptr,
-                 .tile = tile,
-                 .groups = &pairs.contacts.groups(),
-                 .laws = scene.laws.data(),
-                 .constants = &pairs.constants,
-                 .slots = nullptr,
-                 .sums = nullptr,
-                 .profile = nullptr},
-                of_tiles[tile]);
+    if (!share_)
+      evaluate(tile);
+    else if (share_->owners.is_own(tile))
+      share_->failure.guard([&] { evaluate(tile); });
   scree_load load = {};
   RankSums sums(share_ ? &share_->ranks : nullptr);
   for (int k = 0; k < scene.particles.dimension(); ++k)

@@ -15,9 +15,7 @@
 namespace scree {
 
 struct Forces::Work {
-  Work(const Features& features, const RankShare* share) : evaluate(kernel::tile_evaluation(features)) {
-    if (share) halo.emplace(*share);
-  }
+  explicit Work(const Features& features) : evaluate(kernel::tile_evaluation(features)) {}
 
   kernel::EvaluateTile evaluate;
   std::uint64_t revision = 0;  // of the contacts for which the members below were computed
@@ -31,9 +29,15 @@ struct Forces::Work {
   double max_overlap_ratio = 0;  // largest so far
 };
 
-Forces::Forces(const Features& features, RankShare* share)
-    : features_(features), share_(share), work_(std::make_unique<Work>(features, share)) {}
+Forces::Forces(const Features& features) : features_(features), work_(std::make_unique<Work>(features)) {}
 Forces::~Forces() = default;
+
+void Forces::share_with_ranks(RankShare& share) {
+  share_ = &share;
+  work_->halo.emplace(share);
+}
+
+bool Forces::are_of(const Contacts& contacts) const { return work_->revision == contacts.revision(); }
 
 namespace {
 
@@ -119,8 +123,14 @@ void Forces::evaluate(const Evaluation& e, ThreadPool& threads, const FinishPart
     finish_part(part, worker);
   };
   if (share_)
-    work.schedule.run_share(work.tiles, share_->owners.own(), *work.halo, e.particles, threads, evaluate_tile,
-                            finish);
+    work.schedule.run_share(
+        work.tiles, share_->owners.own(), *work.halo, e.particles, threads,
+        [&](std::size_t tile, unsigned worker) {
+          share_->failure.guard([&] { evaluate_tile(tile, worker); });
+        },
+        [&](std::size_t part, unsigned worker) {
+          share_->failure.guard([&] { finish(part, worker); });
+        });
   else
     work.schedule.run(work.tiles, threads, evaluate_tile, finish);
   sum_loads(e.particles, e.loads, sums);

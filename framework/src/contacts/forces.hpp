@@ -44,8 +44,7 @@ class Forces {
     bool pair_forces = true;  // per-contact forces are stored
   };
 
-  // share: of this rank if several compute the scene, or null.
-  explicit Forces(const Features& features, RankShare* share = nullptr);
+  explicit Forces(const Features& features);
   ~Forces();
 
   // Input and output of one evaluation: adds to the loads of bodies, sets the loads of planes.
@@ -64,6 +63,8 @@ class Forces {
   using FinishPart = std::function<void(std::size_t part, unsigned worker)>;
 
   const Features& features() const { return features_; }
+  // From now on several ranks compute the scene: evaluates the pairs of the tiles of this rank alone.
+  void share_with_ranks(RankShare& share);
   // Sets the loads of bodies to 0; must be called for all bodies before an evaluation.
   static void clear(Particles& particles, BodyRange bodies);
   // Evaluates all pairs, or those of this rank. Loads of planes and `total` are set when `sums` is closed.
@@ -87,6 +88,8 @@ class Forces {
   // Whether a state has the forces of pairs.
   static bool are_in(const class State& state);
 
+  // Whether the last evaluation was of these pairs.
+  bool are_of(const Contacts& contacts) const;
   // Force on a of each pair in the last evaluation (N); no columns if pair forces are not stored.
   PairColumns& pair_forces();
   std::uint32_t columns() const { return features_.pair_forces ? std::uint32_t(features_.dimension) : 0; }
@@ -99,7 +102,7 @@ class Forces {
   void sum_loads(const Particles& particles, std::vector<scree_load>& loads, RankSums& sums) const;
 
   Features features_;
-  RankShare* share_;
+  RankShare* share_ = nullptr;
   std::unique_ptr<Work> work_;
 };
 

@@ -9,12 +9,13 @@
 
 #include <scree/integration.hpp>
 #include <scree/particles.hpp>
+#include <scree/ranks.hpp>
 #include <scree/state_hash.hpp>
 #include <scree/state_transfer.hpp>
 
 namespace scree {
 
-struct RankShare;
+class RowRoutes;
 
 // Moves bodies, in translation and rotation, before and after each force evaluation. Velocity-dependent
 // forces use a prediction for the time of evaluation, made with the forces of the last evaluation; tangential
@@ -48,8 +49,8 @@ class Integrator {
   // What the integrator keeps besides positions and velocities, in scene order; nothing by default.
   virtual void add_to_hash(StateHash&, const BodyOrder&) const {}
   virtual void transfer(const StateTransfer&, const BodyOrder&) {}
-  // Gives all ranks the numbers of all bodies, see Particles::share.
-  virtual void share(const RankShare&, std::size_t /*bodies*/) {}
+  // Sends what it keeps of bodies to other ranks.
+  virtual void send(Ranks&, const RowRoutes&, std::size_t /*bodies*/) {}
   // Moves the bodies in memory, see Particles::rearrange.
   virtual void rearrange(const std::vector<std::uint32_t>& /*from*/) {}
 };

@@ -1,7 +1,7 @@
 #include "motion/predictor_corrector.hpp"
 
 #include "motion/motion.hpp"
-#include "ranks/share_rows.hpp"
+#include "ranks/row_routes.hpp"
 
 #include <utility>
 
@@ -91,9 +91,15 @@ void PredictorCorrector::transfer(const StateTransfer& state, const BodyOrder& o
   transfer_column("fourth", fourth_);
 }
 
-void PredictorCorrector::share(const RankShare& share, std::size_t bodies) {
-  for (auto* column : {&second_, &third_, &fourth_})
-    if (!column->empty()) share_rows(share, BodyTiles(bodies), column->data(), column->size() / bodies);
+// A rank that has no bodies yet has no derivatives either.
+void PredictorCorrector::send(Ranks& ranks, const RowRoutes& routes, std::size_t bodies) {
+  std::uint64_t numbers = second_.size();
+  ranks.broadcast(std::as_writable_bytes(std::span(&numbers, 1)));
+  if (numbers == 0) return;
+  for (auto* column : {&second_, &third_, &fourth_}) {
+    column->resize(numbers);
+    routes.send(ranks, column->data(), column->size() / bodies);
+  }
 }
 
 void PredictorCorrector::rearrange(const std::vector<std::uint32_t>& from) {

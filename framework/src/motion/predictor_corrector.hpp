@@ -19,7 +19,7 @@ class PredictorCorrector : public Integrator {
   }
   void add_to_hash(StateHash& hash, const BodyOrder& order) const override;
   void transfer(const StateTransfer& state, const BodyOrder& order) override;
-  void share(const RankShare& share, std::size_t bodies) override;
+  void send(Ranks& ranks, const RowRoutes& routes, std::size_t bodies) override;
   void rearrange(const std::vector<std::uint32_t>& from) override;
 
  private:

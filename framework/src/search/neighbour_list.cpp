@@ -2,7 +2,7 @@
 
 #include "ranks/bodies_near.hpp"
 #include "ranks/rank_sums.hpp"
-#include "ranks/share_rows.hpp"
+#include "ranks/row_routes.hpp"
 #include "walls/plane_transfer.hpp"
 
 #include <algorithm>
@@ -264,15 +264,22 @@ void NeighbourList::compare_order(const Contacts& contacts, int dimension) {
   better_order_.clear();
   const double share = share_of(contacts.crossing(), ranks());
   if (share <= std::max(worn_ratio * crossing_when_sorted_, least_worn_share)) return;
-  if (share_) this->share();
-  std::vector<std::uint32_t> sorted = spatial_order(bodies_at_search_, dimension);
+  std::vector<std::uint32_t> sorted = order_in_space(dimension);
   crossing_when_sorted_ = share_of(contacts.crossing(sorted), ranks());
   if (share > worn_ratio * crossing_when_sorted_) better_order_ = std::move(sorted);
 }
 
-void NeighbourList::share() {
-  share_rows(*share_, BodyTiles(bodies_at_search_.size()), bodies_at_search_.data(), 1);
+// Of several ranks the first one, which then has all bodies, computes it.
+std::vector<std::uint32_t> NeighbourList::order_in_space(int dimension) {
+  if (!share_) return spatial_order(bodies_at_search_, dimension);
+  send(RowRoutes::to_first(*share_, BodyTiles(bodies_at_search_.size())));
+  std::vector<std::uint32_t> sorted(bodies_at_search_.size());
+  if (share_->is_first()) sorted = spatial_order(bodies_at_search_, dimension);
+  share_->ranks.broadcast(std::as_writable_bytes(std::span(sorted)));
+  return sorted;
 }
+
+void NeighbourList::send(const RowRoutes& routes) { routes.send(share_->ranks, bodies_at_search_.data(), 1); }
 
 void NeighbourList::rearrange(const std::vector<std::uint32_t>& from) {
   rearrange_rows(bodies_at_search_, 1, from);
@@ -300,6 +307,12 @@ void NeighbourList::transfer_crossing(const StateTransfer& state) {
 
 void NeighbourList::transfer(const StateTransfer& state, const Particles& particles,
                              const Boundaries& boundaries) {
+  transfer_but_bodies(state, particles, boundaries);
+  transfer_bodies(state, particles.order());
+}
+
+void NeighbourList::transfer_but_bodies(const StateTransfer& state, const Particles& particles,
+                                        const Boundaries& boundaries) {
   if (state.restoring()) {
     bodies_at_search_.resize(particles.size());
     for (std::size_t i = 0; i < particles.size(); ++i) bodies_at_search_[i] = {{}, particles.radius()[i]};
@@ -313,7 +326,6 @@ void NeighbourList::transfer(const StateTransfer& state, const Particles& partic
   state.value("searches", "1", rebuilds_);
   state.value("body_travel", "m", body_travel_, stored::non_negative);
   state.value("plane_travel", "m", plane_travel_, stored::non_negative);
-  transfer_bodies(state, particles.order());
   transfer_crossing(state);
   transfer_planes(state.below("planes_at_search"), planes_at_search_);
 }

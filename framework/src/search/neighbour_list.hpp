@@ -22,15 +22,15 @@ namespace scree {
 class NeighbourList {
  public:
   // skin: of the first search (m); it may grow to max_skin (m) if that costs less. max_skin = 0: fixed.
-  // share: of this rank if several compute the scene; it lists the pairs of its tiles alone.
+  NeighbourList(double skin, double max_skin, Contacts::Lookup lookup)
+      : skin_(skin), choice_(skin, max_skin), lookup_(lookup) {}
+
+  // From now on several ranks compute the scene: lists the pairs of the tiles of this rank alone.
   // bring_others: brings the bodies of other ranks that listed pairs have.
-  NeighbourList(double skin, double max_skin, Contacts::Lookup lookup, RankShare* share = nullptr,
-                std::function<void()> bring_others = {})
-      : skin_(skin),
-        choice_(skin, max_skin),
-        lookup_(lookup),
-        share_(share),
-        bring_others_(std::move(bring_others)) {}
+  void share_with_ranks(RankShare& share, std::function<void()> bring_others) {
+    share_ = &share;
+    bring_others_ = std::move(bring_others);
+  }
 
   // Adds one step (s) at these largest speeds (m/s) to the displacement bound; searches if that is too large.
   void update(double body_speed, double plane_speed, double step, Particles& particles,
@@ -44,12 +44,15 @@ class NeighbourList {
 
   // All but the pairs; the skin of the first search follows from the scene.
   void transfer(const class StateTransfer& state, const Particles& particles, const Boundaries& boundaries);
+  // The same without the bodies at the last search.
+  void transfer_but_bodies(const class StateTransfer& state, const Particles& particles,
+                           const Boundaries& boundaries);
 
   // The order in which bodies should be sorted again in memory, see spatial_order(); empty if they need not
   // be. Known after a search.
   const std::vector<std::uint32_t>& better_order() const { return better_order_; }
-  // Gives all ranks the bodies of all at the last search.
-  void share();
+  // Sends bodies at the last search to other ranks.
+  void send(const class RowRoutes& routes);
   // Moves the bodies in memory, see Particles::rearrange; a search must follow.
   void rearrange(const std::vector<std::uint32_t>& from);
 
@@ -70,6 +73,7 @@ class NeighbourList {
   void record_positions(Particles& particles, const Domain& domain, ThreadPool& threads);
   void transfer_bodies(const class StateTransfer& state, const BodyOrder& order);
   void transfer_crossing(const class StateTransfer& state);
+  std::vector<std::uint32_t> order_in_space(int dimension);
   void compare_order(const Contacts& contacts, int dimension);
   void measure(const Particles& particles, const Boundaries& boundaries, ThreadPool& threads);
   SkinChoice::ListStatistics list_statistics(const Particles& particles, const Boundaries& boundaries,
@@ -79,7 +83,7 @@ class NeighbourList {
   SkinChoice choice_;
   std::uint64_t steps_ = 0;  // since the last search
   Contacts::Lookup lookup_;
-  RankShare* share_;
+  RankShare* share_ = nullptr;
   std::function<void()> bring_others_;
   // Tiles of this rank, in order.
   std::vector<std::uint32_t> own_tiles(std::size_t bodies) const;

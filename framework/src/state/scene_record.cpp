@@ -217,6 +217,9 @@ std::vector<RecordedPlugin> recorded_laws(const State& state) { return recorded_
 std::vector<RecordedPlugin> recorded_boundaries(const State& state) {
   return recorded_plugins(state, "boundary");
 }
+std::vector<RecordedPlugin> recorded_body_forces(const State& state) {
+  return recorded_plugins(state, "body_force");
+}
 
 int dimension_of(const State& state) {
   std::int32_t dimension = 0;

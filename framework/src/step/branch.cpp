@@ -134,7 +134,8 @@ void Branch::take_over_by_name(Simulation& simulation, SimulationParts& parts) {
       simulation.reconfigure_boundary(wanted.name, wanted.parameters);
   }
   if (parts.boundaries.absent() != parts.neighbours.absent_at_search()) {
-    parts.search_after_change();
+    parts.check_appeared_walls();
+    parts.search_neighbours();
     // Without the contacts of walls that are absent now.
     if (branching_.histories)
       dropped_ = each_row(parts, [](PairGroup&, std::size_t, std::span<const double>) {});

@@ -74,28 +74,25 @@ double sum_of_squares(const Vectors<const double>& v, Particles::Axes axes, cons
 }
 
 template <class Entries>
-void set_parameters(Entries& entries, const char* kind, const std::string& name,
-                    const Parameters& parameters) {
+Parameters& parameters_in(Entries& entries, const char* kind, const std::string& name) {
   for (auto& entry : entries)
-    if (entry.name == name) {
-      entry.parameters = parameters;
-      return;
-    }
+    if (entry.name == name) return entry.parameters;
   throw Error(fmt::format("no {} '{}'", kind, name));
 }
 
 }  // namespace
 
 Simulation::Simulation(const Scene& scene, Ranks* ranks)
-    : parts_(std::make_unique<SimulationParts>(scene, ranks)) {
+    : parts_(std::make_unique<SimulationParts>(scene)) {
   SimulationParts& p = *parts_;
   p.search_neighbours();
   without_exception(*this, [&] { return p.stepper.reevaluate_forces(0), start_springs(), true; });
   start_audits();
   check_health(p.stepper.initial_state_is_sound());
+  share_with(ranks);
 }
 
-Simulation::Simulation(const Scene& scene, const State& state) {
+Simulation::Simulation(const Scene& scene, const State& state, Ranks* ranks) {
   const StateTransfer from = StateTransfer::restoring_from(state);
   check_scene(state, scene);
   parts_ = std::make_unique<SimulationParts>(scene);
@@ -104,11 +101,10 @@ Simulation::Simulation(const Scene& scene, const State& state) {
   from.value("state_hash", "", hash);
   if (hash != StateHash::unknown && hash != state_hash())
     from.refuse("state_hash", "is not that of the numbers in the state");
+  share_with(ranks);
 }
 
-Simulation::~Simulation() = default;
-
-Simulation::Simulation(const Scene& scene, const State& state, const Branching& branching) {
+Simulation::Simulation(const Scene& scene, const State& state, const Branching& branching, Ranks* ranks) {
   Branch branch(scene, state, branching);
   parts_ = std::make_unique<SimulationParts>(branch.scene());
   without_exception(*this, [&] { return branch.take_over(*this, *parts_), true; });
@@ -117,6 +113,7 @@ Simulation::Simulation(const Scene& scene, const State& state, const Branching& 
   without_exception(*this, [&] { return start_springs(), true; });
   start_audits();
   check_health(parts_->stepper.initial_state_is_sound());
+  share_with(ranks);
 }
 
 constexpr double smallest_cut = 1e-6;  // of an energy; round-off is less
@@ -157,9 +154,18 @@ void Simulation::start_audits() {
 }
 
 void Simulation::advance(bool observed, const std::function<void(double)>* after_substep) {
-  parts_->forget_copies();
+  SimulationParts& p = *parts_;
+  p.forget_copies();
+  p.command(after_substep ? RankCommand::step_by_substeps
+            : observed    ? RankCommand::step_observed
+                          : RankCommand::step_followed);
+  const std::function<void(double)> then_go_on = [&](double length) {
+    (*after_substep)(length);
+    p.command(RankCommand::go_on);
+  };
   check_health(without_exception(*this, [&] {
-    return parts_->stepper.step(observed ? Stepper::Next::observed : Stepper::Next::follows, after_substep);
+    return p.stepper.step(observed ? Stepper::Next::observed : Stepper::Next::follows,
+                          after_substep ? &then_go_on : nullptr);
   }));
 }
 
@@ -184,16 +190,20 @@ void Simulation::check_health(bool sound) const {
 void Simulation::measure(Profile* profile) { parts_->profile = profile; }
 
 void Simulation::reconfigure_law(const std::string& name, const Parameters& parameters) {
+  Parameters& present = parameters_in(parts_->scene.laws, "contact law", name);
+  parts_->command_change(RankCommand::change_law, name, parameters, {});
   parts_->stepper.synchronise();
-  set_parameters(parts_->scene.laws, "contact law", name, parameters);
+  present = parameters;
 }
 
 void Simulation::reconfigure_boundary(const std::string& name, const Parameters& parameters,
                                       const std::vector<std::string>& going_on) {
+  Parameters& present = parameters_in(parts_->scene.boundaries, "boundary", name);
+  parts_->command_change(RankCommand::change_boundary, name, parameters, going_on);
   parts_->stepper.synchronise();
   parts_->audit.add_turned_over(parts_->boundaries.energy().kinetic);
   parts_->boundaries.reconfigure(name, parameters, time(), going_on);
-  set_parameters(parts_->scene.boundaries, "boundary", name, parameters);
+  present = parameters;
 }
 
 void Simulation::check_returning_walls(const std::string& name, const Parameters& parameters,
@@ -205,17 +215,21 @@ void Simulation::check_returning_walls(const std::string& name, const Parameters
 
 void Simulation::reconfigure_body_force(const std::string& name, const Parameters& parameters,
                                         const std::vector<std::string>& going_on) {
+  Parameters& present = parameters_in(parts_->scene.body_forces, "body force", name);
+  parts_->command_change(RankCommand::change_body_force, name, parameters, going_on);
   parts_->stepper.synchronise();
   parts_->body_forces.reconfigure(name, parameters, time(), going_on);
-  set_parameters(parts_->scene.body_forces, "body force", name, parameters);
+  present = parameters;
 }
 
 void Simulation::apply_reconfiguration() {
   SimulationParts& p = *parts_;
+  p.check_appeared_walls();
+  p.command(RankCommand::apply_changes);
   p.configure_laws();
   for (PairGroup& group : p.contacts.groups())
     group.history_width = p.laws[group.law].interface.history_width;
-  p.search_after_change();
+  p.search_neighbours();
   p.stepper.reevaluate_forces(0);
   p.integrator->restart();
   p.audit.set_stored(p.contact_sums, p.body_sums);
@@ -253,7 +267,7 @@ WallEquations Simulation::linear_walls(double time, const std::vector<scree_plan
   return parts_->boundaries.linear_walls(time, planes);
 }
 
-ContactList Simulation::contacts_of_all_ranks(bool loaded) const {
+ContactList Simulation::listed_contacts(bool loaded) const {
   SimulationParts& p = *parts_;
   p.in_scene_order();  // before the bodies are read
   const auto [contacts, forces] = p.all_pairs();
@@ -261,9 +275,9 @@ ContactList Simulation::contacts_of_all_ranks(bool loaded) const {
                            loaded ? ListedPairs::touching_or_loaded : ListedPairs::touching);
 }
 
-ContactList Simulation::contact_list() const { return contacts_of_all_ranks(false); }
+ContactList Simulation::contact_list() const { return listed_contacts(false); }
 
-ContactList Simulation::loaded_contact_list() const { return contacts_of_all_ranks(true); }
+ContactList Simulation::loaded_contact_list() const { return listed_contacts(true); }
 
 double Simulation::contact_history(std::size_t pair, std::uint32_t column) const {
   for (const PairGroup& group : contacts().groups())
@@ -273,6 +287,7 @@ double Simulation::contact_history(std::size_t pair, std::uint32_t column) const
 }
 
 scree_energy Simulation::energy() const {
+  parts_->command(RankCommand::sum_energies);
   const Particles& p = parts_->particles;
   // Velocities at the time at which the stored energies were evaluated.
   const bool at_end = parts_->stepper.forces_at() == Stepper::ForcesAt::end_of_step;
@@ -309,10 +324,11 @@ double Simulation::min_steps_per_contact() const {
 
 Footprint Simulation::footprint() const {
   const Particles& p = parts_->particles;
+  parts_->command(RankCommand::count_pairs);
+  const auto [listed, crossing] = parts_->count_pairs();
   std::uint32_t width = 0;
   for (const LawInstance& law : parts_->laws) width = std::max(width, law.interface.history_width);
   const std::size_t spins = std::size_t(p.spin_axes().last - p.spin_axes().first);
-  const Contacts& all = contacts();
   const auto fixed = std::size_t(std::count(p.fixed.begin(), p.fixed.end(), 1));
   const auto held = p.held.size() - std::size_t(std::count(p.held.begin(), p.held.end(), 0));
   std::size_t held_components = 0;
@@ -324,8 +340,8 @@ Footprint Simulation::footprint() const {
           .bytes_per_body = p.bytes_per_body(),
           .bytes_per_pair = parts_->forces.bytes_per_pair() + width * sizeof(double),
           .history_width = width,
-          .listed_pairs = all.listed(),
-          .crossing_share = all.crossing().share()};
+          .listed_pairs = listed,
+          .crossing_share = crossing.share()};
 }
 
 }  // namespace scree

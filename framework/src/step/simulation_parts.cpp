@@ -101,19 +101,8 @@ bool depends_on_orientations(const Parameters& law, int dimension) {
   return kernel::reads_orientations(ConfiguredLaw(law, dimension, no_bounds, no_bounds).instance());
 }
 
-namespace {
-
-std::optional<RankShare> share_of(const Scene& scene, Ranks* ranks) {
-  if (!ranks) return std::nullopt;
-  return RankShare{
-      *ranks, TileOwners::ranges(BodyTiles(scene.bodies.size()).count(), ranks->size(), ranks->rank()), 0};
-}
-
-}  // namespace
-
-SimulationParts::SimulationParts(const Scene& given, Ranks* ranks)
+SimulationParts::SimulationParts(const Scene& given)
     : scene(checked(given)),
-      share(share_of(scene, ranks)),
       boundaries(boundaries_of(scene)),
       body_forces(scene.body_forces, scene.dimension, scene.audit),
       particles(scene.dimension,
@@ -124,14 +113,12 @@ SimulationParts::SimulationParts(const Scene& given, Ranks* ranks)
       driven(scene, particles),
       law_of(scene.law_of),
       neighbours(skin_of(scene), max_skin_of(scene, boundaries.domain()),
-                 {.law_of = law_of.data(), .materials = std::uint32_t(scene.materials.size())},
-                 share ? &*share : nullptr, [this] { forces.bring_bodies_of_others(particles); }),
+                 {.law_of = law_of.data(), .materials = std::uint32_t(scene.materials.size())}),
       forces({.dimension = scene.dimension,
               .spin = particles.has_spin(),
               .periodic = boundaries.domain().any_periodic(),
               .audit = scene.audit,
-              .pair_forces = scene.pair_forces},
-             share ? &*share : nullptr),
+              .pair_forces = scene.pair_forces}),
       integrator(make_integrator(scene.integration)),
       threads(std::make_unique<ThreadPool>(threads_of(scene))),
       smallest_radius(smallest_radius_of(scene)),
@@ -148,19 +135,23 @@ void SimulationParts::transfer(const StateTransfer& state) {
 }
 
 void SimulationParts::transfer_all_but_pairs(const StateTransfer& state) {
-  stepper.transfer(state.below("clock"));
+  transfer_common(state);
   const bool mid_step = stepper.forces_at() == Stepper::ForcesAt::middle_of_step;
   const StateTransfer of_bodies = state.below("bodies");
   in_scene_order().transfer(of_bodies, mid_step);
-  boundaries.transfer(state.below("walls"), mid_step);
   integrator->transfer(state.below("integrator"), particles.order());
+  transfer_order(of_bodies);
+}
+
+void SimulationParts::transfer_common(const StateTransfer& state) {
+  stepper.transfer(state.below("clock"));
+  boundaries.transfer(state.below("walls"), stepper.forces_at() == Stepper::ForcesAt::middle_of_step);
   contact_sums.transfer(state.below(path_of_contact_sums));
   body_forces.transfer(state.below("body_forces"));
   body_sums.transfer(state.below("sums/body_forces"));
   audit.transfer(state.below("audit/energy"));
   momentum_audit.transfer(state.below("audit/momentum"));
   state.numbers("start/lengths", "m", lengths_at_start.component, 3, stored::any);  // NaN: not enclosed
-  transfer_order(of_bodies);
 }
 
 // The numbers of the bodies in memory, if they are rearranged.
@@ -187,43 +178,12 @@ void SimulationParts::rearrange(const std::vector<std::uint32_t>& from) {
   forget_copies();
 }
 
-void SimulationParts::share_bodies() {
-  particles.share(*share);
-  integrator->share(*share, particles.size());
-  neighbours.share();
-  bodies_are_shared = true;
-}
-
-SimulationParts::Pairs SimulationParts::all_pairs() {
-  if (!share) return {contacts, forces.pair_forces()};
-  if (!pairs_are_shared) {
-    shared_contacts = contacts;
-    shared_forces = forces.pair_forces();
-    shared_contacts->share(*share, nullptr, shared_forces, forces.columns());
-    pairs_are_shared = true;
-  }
-  return {*shared_contacts, shared_forces};
-}
-
-void SimulationParts::share_bodies_and_pairs(const TileOwners* kept) {
-  share_bodies();
-  PairColumns nothing;
-  contacts.share(*share, kept, nothing, 0);
-}
-
-void SimulationParts::deal_tiles() {
-  share->dealt_after = neighbours.rebuilds();
-  if (!share->ranks.deals_at_random()) return;
-  TileOwners next = TileOwners::at_random(share->owners.tiles(), share->ranks.size(), share->ranks.rank(),
-                                          share->dealt_after);
-  share_bodies_and_pairs(&next);
-  share->owners = std::move(next);
-  stepper.take_own_parts();
-}
-
 void SimulationParts::sort_bodies() {
-  if (share) share_bodies_and_pairs(nullptr);
-  rearrange(std::vector<std::uint32_t>(neighbours.better_order()));
+  const std::vector<std::uint32_t> from = neighbours.better_order();
+  if (share) send_bodies(RowRoutes::to_places(*share, BodyTiles(particles.size()), from));
+  rearrange(from);
+  PairColumns nothing;
+  if (share) contacts.send_to_owners(share->ranks, share->owners, nothing, 0);
   neighbours.rebuild(particles, boundaries, contacts, *threads);
 }
 
@@ -233,7 +193,10 @@ void SimulationParts::search_neighbours() {
 }
 
 Particles& SimulationParts::in_scene_order() {
-  if (share && !bodies_are_shared) share_bodies();
+  if (share && !bodies_are_gathered) {
+    command(RankCommand::gather_bodies);
+    gather_bodies();
+  }
   if (!particles.order().rearranged()) return particles;
   if (copy_is_current) return *copy_in_scene_order;
   if (!copy_in_scene_order) copy_in_scene_order = particles;
@@ -268,15 +231,18 @@ void SimulationParts::check_returning_walls(const std::string& name, const Param
   const bool mid_step = stepper.forces_at() == Stepper::ForcesAt::middle_of_step;
   State present;
   boundaries.transfer(StateTransfer::saving_to(present), mid_step);
+  in_scene_order();  // brings the bodies of other ranks
   Boundaries changed = boundaries_of(scene);
   changed.transfer(StateTransfer::restoring_from(present), mid_step);
   changed.reconfigure(name, parameters, stepper.time(), going_on);
   check_appeared(particles, changed, boundaries.absent());
 }
 
-void SimulationParts::search_after_change() {
-  check_appeared(particles, boundaries, neighbours.absent_at_search());
-  search_neighbours();
+void SimulationParts::check_appeared_walls() {
+  const std::vector<std::uint8_t>& absent = neighbours.absent_at_search();
+  if (share && !share->is_first()) return;
+  if (absent != boundaries.absent()) in_scene_order();  // which brings the bodies of other ranks
+  check_appeared(particles, boundaries, absent);
 }
 
 void SimulationParts::come_to_rest(const RestingPacking& packing) {

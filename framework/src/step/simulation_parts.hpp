@@ -9,7 +9,9 @@
 #include "motion/driven_bodies.hpp"
 #include "motion/integrator.hpp"
 #include "plugins/body_forces.hpp"
+#include "ranks/rank_commands.hpp"
 #include "ranks/rank_share.hpp"
+#include "ranks/row_routes.hpp"
 #include "search/neighbour_list.hpp"
 #include "step/stepper.hpp"
 #include "walls/boundaries.hpp"
@@ -29,8 +31,7 @@ namespace scree {
 // The parts of a simulation, in the order in which they are constructed.
 struct SimulationParts {
   // Throws Error for an invalid scene. Evaluates no forces.
-  // ranks: that compute the scene together, or null.
-  explicit SimulationParts(const Scene& scene, Ranks* ranks = nullptr);
+  explicit SimulationParts(const Scene& scene);
 
   // Configures the laws of the scene again. Throws Error if a law needs what the scene does not carry.
   void configure_laws();
@@ -51,22 +52,43 @@ struct SimulationParts {
   // Sorts the bodies in space if a search has found that many neighbours are distant in memory.
   void keep_neighbours_near() {
     if (!neighbours.better_order().empty()) sort_bodies();
-    if (share && share->dealt_after != neighbours.rebuilds()) deal_tiles();
+    if (share && share->dealt_after != neighbours.rebuilds()) deal_after_search();
   }
   void sort_bodies();
-  // Moves tiles to other ranks, after a search.
-  void deal_tiles();
-  // Gives all ranks the state of all bodies.
-  void share_bodies();
-  // And the pairs; see Contacts::share.
-  void share_bodies_and_pairs(const TileOwners* kept);
+  // What all ranks have, of all that changes in a run: no bodies and no pairs.
+  void transfer_common(const class StateTransfer& state);
+  // And of that the first rank has, where bodies are in memory and what the lists of neighbours need.
+  void transfer_shared(const class StateTransfer& state);
+  // From now on several ranks compute the scene, of which the first has all bodies and pairs.
+  void share_with(Ranks& ranks);
+  // As many tiles for each rank, in the order of memory.
+  TileOwners even_owners() const;
+  // Gives tiles to other ranks, with their bodies and pairs.
+  void deal_tiles(TileOwners next);
+  void deal_after_search();
+  void send_bodies(const RowRoutes& routes);
+  // Give the first rank the state of all bodies, all pairs.
+  void gather_bodies();
+  void gather_pairs();
+  // Pairs of all ranks: listed, and those of bodies.
+  struct PairCounts {
+    std::size_t listed;
+    CrossingPairs of_bodies;
+  };
+  PairCounts count_pairs() const;
+  void command_change(RankCommand command, const std::string& name, const Parameters& parameters,
+                      const std::vector<std::string>& going_on) const;
+  // Has the other ranks do something, if this is the first of several.
+  void command(RankCommand command, const std::vector<std::string>& lines = {}) const {
+    if (share && share->is_first()) send_command(share->ranks, command, lines);
+  }
   // The bodies in the order of the scene: a copy if they are rearranged, valid until something moves them.
   Particles& in_scene_order();
   // See Simulation.
   void check_returning_walls(const std::string& name, const Parameters& parameters,
                              const std::vector<std::string>& going_on);
-  // After new parameters. Throws Error if a wall that was absent has bodies behind it.
-  void search_after_change();
+  // Throws Error if a wall that was absent at the last search has bodies behind it.
+  void check_appeared_walls();
 
   // Null if this process computes the whole scene.
   Ranks* ranks() const { return share ? &share->ranks : nullptr; }
@@ -100,19 +122,19 @@ struct SimulationParts {
 
   Stepper stepper;
 
-  // The pairs of all ranks, and the forces of these.
+  // The pairs of all ranks, and the forces of these, on the first rank.
   struct Pairs {
     Contacts& contacts;
     PairColumns& forces;
   };
   Pairs all_pairs();
   // After the state has changed: what was copied for observers is no longer current.
-  void forget_copies() { copy_is_current = bodies_are_shared = pairs_are_shared = false; }
+  void forget_copies() { copy_is_current = bodies_are_gathered = pairs_are_gathered = false; }
 
   std::optional<Particles> copy_in_scene_order;
-  std::optional<Contacts> shared_contacts;  // if several ranks compute the scene
-  PairColumns shared_forces;
-  bool copy_is_current = false, bodies_are_shared = false, pairs_are_shared = false;
+  std::optional<Contacts> gathered_contacts;
+  PairColumns gathered_forces;
+  bool copy_is_current = false, bodies_are_gathered = false, pairs_are_gathered = false;
 };
 
 }  // namespace scree

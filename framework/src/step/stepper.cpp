@@ -1,6 +1,7 @@
 #include "step/stepper.hpp"
 
 #include "motion/motion.hpp"
+#include "ranks/rank_vote.hpp"
 #include "step/simulation_parts.hpp"
 
 #include <algorithm>
@@ -97,7 +98,7 @@ std::optional<double> Stepper::substep(double step, std::optional<double> next) 
   const bool finite = evaluate_forces(elapsed, {.finish = step, .begin = next});
 
   laps = Laps(p.profile);
-  p.boundaries.finish_step(force_time_, elapsed);
+  finish_walls(elapsed);
   laps.lap(Profile::boundaries);
   if (p.scene.audit) p.audit.add_step(elapsed, p.contact_sums, p.body_sums);
   force_time_ += elapsed;
@@ -108,6 +109,19 @@ std::optional<double> Stepper::substep(double step, std::optional<double> next) 
 }
 
 void Stepper::begin_walls(double step, double kick) {
+  if (!parts_.share) return move_walls(step, kick);
+  parts_.share->failure.guard([&] { move_walls(step, kick); });
+}
+
+// All ranks do the same: if one fails here, all do.
+void Stepper::finish_walls(double step) {
+  SimulationParts& p = parts_;
+  if (!p.share) return p.boundaries.finish_step(force_time_, step);
+  p.share->failure.guard([&] { p.boundaries.finish_step(force_time_, step); });
+  if (p.share->failure.any()) p.share->failure.throw_on_all(p.share->ranks);
+}
+
+void Stepper::move_walls(double step, double kick) {
   SimulationParts& p = parts_;
   if (p.boundaries.displacement_speed() == 0) return p.boundaries.begin_step(force_time_, step);
   if (!p.displaced_loads) p.displaced_loads.emplace(p.forces.features(), p.share ? &*p.share : nullptr);
@@ -227,6 +241,7 @@ bool Stepper::evaluate_forces(double elapsed, const Moves& moves) {
   else
     evaluated_at_ = elapsed != 0 ? time_ : force_time_;
   RankSums sums(p.ranks());
+  RankVote vote(p.share ? &*p.share : nullptr, p.boundaries);
   p.forces.evaluate(
       {.particles = p.particles,
        .contacts = p.contacts,
@@ -246,7 +261,9 @@ bool Stepper::evaluate_forces(double elapsed, const Moves& moves) {
   add_total(all, sums);
   begun_square_speed_ = largest_of_parts();
   sums.largest(begun_square_speed_);
+  vote.add_to(sums);
   sums.close();
+  vote.conclude();
   p.body_sums = all.bodies;
   if (p.driven.any() && p.scene.audit) p.audit.add_work(all.work);
   p.momentum_audit.add_step(elapsed, all.momentum, p.boundaries.loads());
@@ -317,7 +334,7 @@ void Stepper::synchronise() {
   Forces::clear(p.particles, {0, p.particles.size()});
   p.driven.plan_finish(times);
   evaluate_forces(behind, {});
-  p.boundaries.finish_step(force_time_, behind);
+  finish_walls(behind);
   if (p.scene.audit) p.audit.add_step(behind, p.contact_sums, p.body_sums);
   force_time_ = time_;
   forces_at_ = ForcesAt::end_of_step;

@@ -96,6 +96,9 @@ class Stepper {
   void add_work_of_begun_step();
   // First half of a step (s) for the walls; the bodies are at its end, where forces act for `kick` (s).
   void begin_walls(double step, double kick);
+  void move_walls(double step, double kick);
+  // Second half (s).
+  void finish_walls(double step);
   // Largest squared speed of the bodies of this rank (m²/s²).
   double largest_of_parts() const;
   // Sums over all bodies, exact over tiles, so that their bits depend on no order of the tiles.

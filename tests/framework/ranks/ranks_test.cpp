@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <scree/follow_first_rank.hpp>
 #include <scree/simulation.hpp>
 
 // Scenes that several ranks compute, against the same scenes in one process.
@@ -35,8 +36,9 @@ State after_steps(const Scene& scene, Ranks* ranks, int steps) {
 State over_ranks(const Scene& scene, unsigned ranks, bool at_random, int steps) {
   State first;
   RankThreads(ranks, at_random).run([&](Ranks& member) {
-    State state = after_steps(scene, &member, steps);
-    if (member.rank() == 0) first = std::move(state);
+    if (member.rank() > 0) return scree::follow_first_rank(member, scree::test::host(), 1);
+    const scree::FirstRank leads(&member);
+    first = after_steps(scene, &member, steps);
   });
   return first;
 }

@@ -1,0 +1,151 @@
+#include "ranks/row_routes.hpp"
+#include "state/scene_message.hpp"
+#include "state/state_bytes.hpp"
+#include "step/simulation_parts.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <scree/follow_first_rank.hpp>
+#include <scree/scene_record.hpp>
+#include <scree/simulation.hpp>
+#include <scree/state_transfer.hpp>
+
+// How several ranks compute a simulation.
+namespace scree {
+
+namespace {
+
+void broadcast_state(Ranks& ranks, const State& state) {
+  std::vector<std::byte> bytes = bytes_of(state);
+  std::uint64_t size = bytes.size();
+  ranks.broadcast(std::as_writable_bytes(std::span(&size, 1)));
+  ranks.broadcast(bytes);
+}
+
+}  // namespace
+
+void Simulation::share_with(Ranks* ranks) {
+  if (!ranks) return;
+  SimulationParts& p = *parts_;
+  send_command(*ranks, RankCommand::begin);
+  broadcast_state(*ranks, message_of(p.scene));
+  State shared;
+  p.transfer_shared(StateTransfer::saving_to(shared));
+  broadcast_state(*ranks, shared);
+  p.share_with(*ranks);
+  p.deal_tiles(p.even_owners());
+}
+
+Simulation::~Simulation() {
+  try {
+    if (parts_) parts_->command(RankCommand::end);
+  } catch (...) {
+    // Ranks that cannot be reached end by themselves.
+  }
+}
+
+bool Simulation::is_interrupted_elsewhere() const {
+  return parts_->share && parts_->share->other_is_interrupted;
+}
+
+FirstRank::~FirstRank() {
+  try {
+    if (ranks_) send_command(*ranks_, RankCommand::leave);
+  } catch (...) {
+    // Ranks that cannot be reached end by themselves.
+  }
+}
+
+void SimulationParts::transfer_shared(const StateTransfer& state) {
+  transfer_common(state);
+  transfer_order(state.below("bodies"));
+  neighbours.transfer_but_bodies(state.below("neighbours"), particles, boundaries);
+}
+
+void SimulationParts::share_with(Ranks& ranks) {
+  const std::size_t tiles = BodyTiles(particles.size()).count();
+  share.emplace(RankShare{ranks, TileOwners(std::vector<std::uint32_t>(tiles, 0), ranks.rank())});
+  share->dealt_after = neighbours.rebuilds();
+  neighbours.share_with_ranks(*share, [this] { forces.bring_bodies_of_others(particles); });
+  forces.share_with_ranks(*share);
+  displaced_loads.reset();
+  stepper.take_own_parts();
+}
+
+TileOwners SimulationParts::even_owners() const {
+  return TileOwners::ranges(share->owners.tiles(), share->ranks.size(), share->ranks.rank());
+}
+
+void SimulationParts::deal_tiles(TileOwners next) {
+  send_bodies(RowRoutes::to_owners(*share, BodyTiles(particles.size()), next));
+  // After a search the forces are of other pairs, and an evaluation follows.
+  bool with_forces = forces.are_of(contacts);
+  share->ranks.broadcast(std::as_writable_bytes(std::span(&with_forces, 1)));
+  PairColumns of_pairs = with_forces ? forces.pair_forces() : PairColumns();
+  contacts.send_to_owners(share->ranks, next, of_pairs, with_forces ? forces.columns() : 0);
+  share->owners = std::move(next);
+  forces.update_pairs(particles, contacts, reads_of(laws), boundaries.planes().size(), *threads);
+  if (with_forces && forces.columns() > 0) forces.pair_forces() = std::move(of_pairs);
+  stepper.take_own_parts();
+}
+
+void SimulationParts::deal_after_search() {
+  share->dealt_after = neighbours.rebuilds();
+  if (!share->ranks.deals_at_random()) return;
+  deal_tiles(TileOwners::at_random(share->owners.tiles(), share->ranks.size(), share->ranks.rank(),
+                                   share->dealt_after));
+}
+
+void SimulationParts::send_bodies(const RowRoutes& routes) {
+  particles.send(share->ranks, routes);
+  integrator->send(share->ranks, routes, particles.size());
+  neighbours.send(routes);
+}
+
+void SimulationParts::gather_bodies() {
+  send_bodies(RowRoutes::to_first(*share, BodyTiles(particles.size())));
+  bodies_are_gathered = true;
+}
+
+void SimulationParts::gather_pairs() {
+  gathered_contacts = contacts;
+  gathered_forces = forces.pair_forces();
+  const TileOwners first(share->owners.tiles());
+  gathered_contacts->send_to_owners(share->ranks, first, gathered_forces, forces.columns());
+  pairs_are_gathered = share->is_first();
+  if (!share->is_first()) gathered_contacts.reset();
+}
+
+SimulationParts::Pairs SimulationParts::all_pairs() {
+  if (!share) return {contacts, forces.pair_forces()};
+  if (!pairs_are_gathered) {
+    command(RankCommand::gather_pairs);
+    gather_pairs();
+  }
+  return {*gathered_contacts, gathered_forces};
+}
+
+SimulationParts::PairCounts SimulationParts::count_pairs() const {
+  std::int64_t listed = std::int64_t(contacts.listed());
+  CrossingPairs of_bodies = contacts.crossing();
+  RankSums sums(ranks());
+  sums.total(listed);
+  sums.total(of_bodies.all);
+  sums.total(of_bodies.crossing);
+  sums.close();
+  return {std::size_t(listed), of_bodies};
+}
+
+void SimulationParts::command_change(RankCommand change, const std::string& name, const Parameters& parameters,
+                                     const std::vector<std::string>& going_on) const {
+  if (!share) return;
+  std::vector<std::string> lines = {name, fmt::format("{}", going_on.size())};
+  lines.insert(lines.end(), going_on.begin(), going_on.end());
+  const std::vector<std::string> own = parameter_lines(parameters);
+  lines.insert(lines.end(), own.begin(), own.end());
+  command(change, lines);
+}
+
+}  // namespace scree
