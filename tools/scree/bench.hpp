@@ -17,7 +17,7 @@ struct BenchOptions {
   double start = 0;         // (s) in the scene, from when on steps are timed
   std::uint64_t steps = 0;  // of a repeat; 0: as many as take `seconds`
   double seconds = 0.5;
-  Ranks* ranks = nullptr;  // that compute the scene together, in the same steps; or null
+  Ranks* ranks = nullptr;  // that compute the scene together; or null
 };
 
 // What one benchmark came to.

@@ -1,4 +1,5 @@
 #include "bench.hpp"
+#include "over_ranks.hpp"
 #include "program_verbs.hpp"
 #include "support/study_tables.hpp"
 
@@ -12,8 +13,6 @@
 #include <scree/counted.hpp>
 #include <scree/document/message.hpp>
 #include <scree/files/csv_line.hpp>
-#include <scree/ranks/join_ranks.hpp>
-#include <scree/ranks/launcher.hpp>
 
 namespace scree::tool {
 
@@ -129,29 +128,15 @@ std::string csv_row(const std::string& scene, unsigned threads, const BenchResul
   return files::csv_line(cells);
 }
 
-// Ranks that go on for a time would take different numbers of steps.
-std::unique_ptr<Ranks> joined_ranks(const BenchArguments& a) {
-  if (!a.over_ranks) {
-    if (!ranks::is_one_of_several_tasks()) return nullptr;
-    throw Error("the program was started several times by mpirun or srun; give --ranks");
-  }
-  if (a.options.steps == 0)
-    throw Error("--ranks needs --steps, so that all ranks take the same number of steps");
-  return ranks::join_ranks();
-}
-
-ExitStatus bench(const BenchArguments& a) {
-  const std::unique_ptr<Ranks> ranks = joined_ranks(a);
-  const bool is_first = !ranks || ranks->rank() == 0;
+ExitStatus bench(const BenchArguments& a, Ranks* ranks) {
   PluginHost host = make_host(a.plugins);
   const scenario::Plan plan = scenario::read_plan(scene_file(a.scene), a.overrides, host, study_tables());
   Table csv;
-  if (!a.csv.empty() && is_first) csv = table_at(a.csv);
+  if (!a.csv.empty()) csv = table_at(a.csv);
   const std::string name = std::filesystem::path(a.scene).stem().string();
   BenchOptions options = a.options;
-  options.ranks = ranks.get();
+  options.ranks = ranks;
   const BenchResult result = time_steps(plan, options);
-  if (!is_first) return ExitStatus::success;
   print(name, options, result);
   if (a.csv.empty()) return ExitStatus::success;
   if (!(csv.file << csv.before << csv_row(name, a.options.threads, result) << std::flush))
@@ -173,7 +158,7 @@ std::string footer() {
       "sums of\n"
       "forces and energies), body_forces (plug-ins), audit (momentum)\n\n"
       "Examples: scree bench beads-4096 --threads 2 --csv bench.csv\n"
-      "          mpirun -n 4 scree bench beads-102400 --ranks --steps 100",
+      "          mpirun -n 4 scree bench beads-102400 --ranks",
       fmt::join(scene_names(), ", "));
 }
 
@@ -195,13 +180,15 @@ void add_bench_verb(CommandLine& line) {
   verb.option("--steps", o.steps, "Steps per repeat, instead of --seconds")
       .between(1, 1e12)
       .excludes(seconds);
-  verb.flag("--ranks", a->over_ranks,
-            "One scene over the processes that mpirun or srun has started; needs --steps");
+  add_ranks_option(verb, a->over_ranks);
   verb.option("--csv", a->csv, "Append a row to this CSV file; a new file gets a header").shown_as("FILE");
   verb.option("--set", a->overrides, "Change a value of the scene").shown_as("KEY=VALUE");
   add_plugin_options(verb, a->plugins);
   verb.footer(footer);
-  verb.action([a] { return bench(*a); });
+  verb.action([a] {
+    return do_over_ranks({a->over_ranks, a->options.threads, a->plugins},
+                         [&](Ranks* ranks) { return bench(*a, ranks); });
+  });
 }
 
 }  // namespace scree::tool

@@ -1,3 +1,4 @@
+#include "over_ranks.hpp"
 #include "program_verbs.hpp"
 #include "run_report.hpp"
 #include "support/resume_arguments.hpp"
@@ -12,7 +13,7 @@ namespace scree::tool {
 
 namespace {
 
-ExitStatus resume(const ResumeArguments& arguments) {
+ExitStatus resume(const ResumeArguments& arguments, Ranks* ranks) {
   PluginHost host = make_host(arguments.plugins);
   if (std::filesystem::exists(std::filesystem::path(arguments.directory) / "campaign.json"))
     throw Error(
@@ -26,6 +27,7 @@ ExitStatus resume(const ResumeArguments& arguments) {
     changes.checkpoint_every = wall_time_option("--checkpoint-every", arguments.checkpoint_every);
   const run::RunResult result = with_progress(arguments.quiet, [&](run::RunOptions options) {
     options.overwrite = arguments.overwrite;
+    options.ranks = ranks;
     return run::resume_run(in_place_of(arguments, options), changes, host, study_tables());
   });
   return report_run(result, arguments.quiet);
@@ -36,10 +38,16 @@ ExitStatus resume(const ResumeArguments& arguments) {
 void add_resume_verb(CommandLine& line, const std::function<ExitStatus()>& resume_study) {
   auto arguments = std::make_shared<ResumeArguments>();
   Verb verb = add_resume_options(line, *arguments);
+  add_ranks_option(verb, arguments->over_ranks);
   verb.action([arguments, resume_study] {
     const bool of_study = run::has_results(arguments->directory, run::spectrum_results) ||
                           run::has_results(arguments->directory, run::quasi_static_results);
-    return of_study ? resume_study() : resume(*arguments);
+    if (of_study && arguments->over_ranks)
+      throw Error(
+          fmt::format("{}: only a run is computed over ranks; leave out --ranks", arguments->directory));
+    if (of_study) return resume_study();
+    return do_over_ranks({arguments->over_ranks, arguments->threads, arguments->plugins},
+                         [&](Ranks* ranks) { return resume(*arguments, ranks); });
   });
 }
 

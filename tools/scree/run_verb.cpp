@@ -1,3 +1,4 @@
+#include "over_ranks.hpp"
 #include "program_verbs.hpp"
 #include "run_report.hpp"
 #include "support/study_tables.hpp"
@@ -14,11 +15,11 @@ struct RunArguments {
   std::string scenario, out, checkpoint_every;
   std::vector<std::string> overrides;
   unsigned threads = 1;
-  bool overwrite = false, quiet = false;
+  bool overwrite = false, quiet = false, over_ranks = false;
   PluginOptions plugins;
 };
 
-ExitStatus run_scenario(const RunArguments& arguments) {
+ExitStatus run_scenario(const RunArguments& arguments, Ranks* ranks) {
   PluginHost host = make_host(arguments.plugins);
   scenario::Plan plan = scenario::read_plan(arguments.scenario, arguments.overrides, host, study_tables());
   if (!arguments.checkpoint_every.empty())
@@ -27,6 +28,7 @@ ExitStatus run_scenario(const RunArguments& arguments) {
     options.out = arguments.out;
     options.overwrite = arguments.overwrite;
     options.threads = arguments.threads;
+    options.ranks = ranks;
     if (options.on_start)
       options.on_start = [&plan, print = options.on_start](const Simulation& simulation) {
         print(simulation);
@@ -51,6 +53,7 @@ void add_run_verb(CommandLine& line) {
   verb.option("--threads", arguments->threads,
               "Number of threads; results are bitwise identical for any number (default 1)")
       .between(1, 1024);
+  add_ranks_option(verb, arguments->over_ranks);
   add_checkpoint_option(verb, arguments->checkpoint_every);
   verb.flag("--overwrite", arguments->overwrite, "Replace the files of an existing run in the directory");
   verb.flag("--quiet", arguments->quiet,
@@ -58,8 +61,12 @@ void add_run_verb(CommandLine& line) {
   add_plugin_options(verb, arguments->plugins);
   verb.footer(
       "Example: scree run scenarios/david2005/quickstart.toml --out runs/first --set "
-      "contact.static_friction=0.2");
-  verb.action([arguments] { return run_scenario(*arguments); });
+      "contact.static_friction=0.2\n"
+      "         mpirun -n 8 scree run big.toml --ranks");
+  verb.action([arguments] {
+    return do_over_ranks({arguments->over_ranks, arguments->threads, arguments->plugins},
+                         [&](Ranks* ranks) { return run_scenario(*arguments, ranks); });
+  });
 }
 
 }  // namespace scree::tool

@@ -24,10 +24,12 @@ struct Contacts::Arrived {
 void Contacts::send_to_owners(Ranks& ranks, const TileOwners& owners, PairColumns& further,
                               std::uint32_t width) {
   std::vector<Arrived> arrived;
-  for (const PairGroup& group : groups_) arrived.push_back(exchange_group(ranks, owners, group, further, width));
+  for (const PairGroup& group : groups_)
+    arrived.push_back(exchange_group(ranks, owners, group, further, width));
   a.clear(), b.clear(), image.clear();
   std::vector<std::vector<PairColumns::Move>> rows;
-  for (std::size_t g = 0; g < groups_.size(); ++g) rows.push_back(fill_unsorted(groups_[g], arrived[g].pairs));
+  for (std::size_t g = 0; g < groups_.size(); ++g)
+    rows.push_back(fill_unsorted(groups_[g], arrived[g].pairs));
   further.reset(width, padded_size());
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     PairGroup& group = groups_[g];
@@ -50,8 +52,7 @@ Contacts::Arrived Contacts::exchange_group(Ranks& ranks, const TileOwners& owner
     const std::uint32_t rank = owners.rank_of(tile);
     for (std::size_t q = group.runs[tile].begin; q < group.runs[tile].end; ++q) {
       pairs[rank].push_back({a[q], b[q], image[q]});
-      for (std::uint32_t k = 0; k < group.history_width; ++k)
-        numbers[rank].push_back(group.history_of(q, k));
+      for (std::uint32_t k = 0; k < group.history_width; ++k) numbers[rank].push_back(group.history_of(q, k));
       for (std::uint32_t k = 0; k < width; ++k) numbers[rank].push_back(further.column(k)[q]);
     }
   }

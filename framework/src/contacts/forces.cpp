@@ -128,9 +128,7 @@ void Forces::evaluate(const Evaluation& e, ThreadPool& threads, const FinishPart
         [&](std::size_t tile, unsigned worker) {
           share_->failure.guard([&] { evaluate_tile(tile, worker); });
         },
-        [&](std::size_t part, unsigned worker) {
-          share_->failure.guard([&] { finish(part, worker); });
-        });
+        [&](std::size_t part, unsigned worker) { share_->failure.guard([&] { finish(part, worker); }); });
   else
     work.schedule.run(work.tiles, threads, evaluate_tile, finish);
   sum_loads(e.particles, e.loads, sums);

@@ -12,7 +12,9 @@ struct Header {
   std::uint64_t length;  // of the text (bytes)
 };
 
-void broadcast(Ranks& ranks, Header& header) { ranks.broadcast(std::as_writable_bytes(std::span(&header, 1))); }
+void broadcast(Ranks& ranks, Header& header) {
+  ranks.broadcast(std::as_writable_bytes(std::span(&header, 1)));
+}
 
 void broadcast(Ranks& ranks, std::string& text) {
   if (!text.empty()) ranks.broadcast(std::as_writable_bytes(std::span(text)));

@@ -19,7 +19,7 @@ struct RankShare {
   std::uint64_t dealt_after = 0;  // searches
   RankFailure failure = {};
   std::function<bool()> is_interrupted = {};  // whether this process has been asked to stop; may be empty
-  bool other_is_interrupted = false;     // whether any rank has been asked, as of the last evaluation
+  bool other_is_interrupted = false;          // whether any rank has been asked, as of the last evaluation
 };
 
 }  // namespace scree

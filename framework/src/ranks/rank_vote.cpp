@@ -58,10 +58,11 @@ void RankVote::report_walls() const {
     wall = std::size_t(differs.first - of_rank.begin());
     break;
   }
-  throw Error(fmt::format("wall {}", boundaries_.plane_names()[wall]),
-              "is not at the same place on all ranks: its plug-in does not compute the same from the same numbers",
-              "let it read neither time nor random numbers of the machine, or run without --ranks",
-              ExitStatus::blow_up);
+  throw Error(
+      fmt::format("wall {}", boundaries_.plane_names()[wall]),
+      "is not at the same place on all ranks: its plug-in does not compute the same from the same numbers",
+      "let it read neither time nor random numbers of the machine, or run without --ranks",
+      ExitStatus::blow_up);
 }
 
 }  // namespace scree

@@ -82,8 +82,7 @@ Parameters& parameters_in(Entries& entries, const char* kind, const std::string&
 
 }  // namespace
 
-Simulation::Simulation(const Scene& scene, Ranks* ranks)
-    : parts_(std::make_unique<SimulationParts>(scene)) {
+Simulation::Simulation(const Scene& scene, Ranks* ranks) : parts_(std::make_unique<SimulationParts>(scene)) {
   SimulationParts& p = *parts_;
   p.search_neighbours();
   without_exception(*this, [&] { return p.stepper.reevaluate_forces(0), start_springs(), true; });

@@ -138,7 +138,8 @@ SimulationParts::PairCounts SimulationParts::count_pairs() const {
   return {std::size_t(listed), of_bodies};
 }
 
-void SimulationParts::command_change(RankCommand change, const std::string& name, const Parameters& parameters,
+void SimulationParts::command_change(RankCommand change, const std::string& name,
+                                     const Parameters& parameters,
                                      const std::vector<std::string>& going_on) const {
   if (!share) return;
   std::vector<std::string> lines = {name, fmt::format("{}", going_on.size())};

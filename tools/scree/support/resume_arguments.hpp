@@ -14,7 +14,7 @@ struct ResumeArguments {
   std::vector<std::string> overrides;
   double until = 0;  // (s); 0: as before
   unsigned threads = 1;
-  bool overwrite = false, quiet = false;
+  bool over_ranks = false, overwrite = false, quiet = false;
   PluginOptions plugins;
 };
 

@@ -32,4 +32,11 @@ bool is_one_of_several_tasks() {
   return number_in("SLURM_STEP_NUM_TASKS").value_or(1) > 1 || number_in("SLURM_PROCID").value_or(0) > 0;
 }
 
+bool is_first_task() {
+  for (const char* const rank :
+       {"OMPI_COMM_WORLD_RANK", "PMI_RANK", "MV2_COMM_WORLD_RANK", "PMIX_RANK", "SLURM_PROCID"})
+    if (const auto number = number_in(rank)) return *number == 0;
+  return true;
+}
+
 }  // namespace scree::ranks

@@ -217,7 +217,7 @@ std::optional<std::string> begin_from(const Checkpoints::Latest& latest, const R
   }
   try {
     const StateTransfer stages = StateTransfer::restoring_from(latest.state).below("run/stages");
-    start.simulation = resumed(start.plan, latest.state, stages, options.threads);
+    start.simulation = resumed(start.plan, latest.state, stages, options.threads, options.ranks);
     return std::nullopt;
   } catch (const Error& error) {
     return error.what();
@@ -260,7 +260,7 @@ RunResult go_on(const RunOptions& options, const ResumeChanges& changes, PluginH
   } else {
     warn(fmt::format("{}: there is no state yet; the run begins anew", options.out.string()));
     directory.replace();
-    start.simulation = set_up(plan, options.threads);
+    start.simulation = set_up(plan, options.threads, options.ranks);
   }
   Session session(run_results, plan, session_options_of(options), std::move(directory));
   Run run(plan, options, session, std::move(start.simulation));

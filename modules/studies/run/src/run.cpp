@@ -218,13 +218,15 @@ std::uint64_t Run::observe(const std::string& stage, std::uint64_t steps) {
 
 bool Run::proceed(const StageRunner& runner) {
   report_progress(runner);
-  return session_.proceeds();
+  return proceeds();
 }
+
+bool Run::proceeds() const { return session_.proceeds() && !simulation_->is_interrupted_elsewhere(); }
 
 void Run::between(const StageRunner& runner) {
   if (!ended_stage_.empty())
     session_.watch().time_output([&] { states_.write_stage(std::exchange(ended_stage_, "")); });
-  if (!runner.finished() && session_.proceeds()) session_.watch().time_output([&] { states_.write_due(); });
+  if (!runner.finished() && proceeds()) session_.watch().time_output([&] { states_.write_due(); });
 }
 
 void Run::report_progress(const StageRunner& runner) {
@@ -249,7 +251,7 @@ SessionOptions session_options_of(const RunOptions& options) {
 RunResult run_plan(const scenario::Plan& plan, const RunOptions& options) {
   require_stages(plan);
   Session session(run_results, plan, session_options_of(options));
-  Run run(plan, options, session, set_up(plan, options.threads));
+  Run run(plan, options, session, set_up(plan, options.threads, options.ranks));
   session.begin(run);
   return run.result();
 }

@@ -38,6 +38,8 @@ class Run : public Study {
   void begin(const std::string& stage);
   std::uint64_t observe(const std::string& stage, std::uint64_t steps);
   bool proceed(const StageRunner& runner);
+  // Whether neither this process nor another rank has been asked to stop.
+  bool proceeds() const;
   bool pauses(const StageRunner&) const { return states_.is_waiting(); }
   void between(const StageRunner& runner);
 

@@ -19,10 +19,7 @@ namespace {
 std::unique_ptr<Simulation> simulation_of(const scenario::Plan& plan, const Scene& scene,
                                           Ranks* ranks = nullptr) {
   if (!plan.from_state) return std::make_unique<Simulation>(scene, ranks);
-  if (ranks)
-    throw Error(plan.bodies_place, "a scene that begins from a state is not computed over ranks",
-                "leave out --ranks");
-  return std::make_unique<Simulation>(scene, *plan.from_state, plan.branching);
+  return std::make_unique<Simulation>(scene, *plan.from_state, plan.branching, ranks);
 }
 
 std::unique_ptr<Simulation> make_simulation(const scenario::Plan& plan, unsigned threads, Ranks* ranks) {
@@ -138,10 +135,10 @@ std::unique_ptr<Simulation> set_up_with_last_stage(const scenario::Plan& plan) {
 }
 
 std::unique_ptr<Simulation> resumed(const scenario::Plan& plan, const State& state,
-                                    const StateTransfer& stages, unsigned threads) {
+                                    const StateTransfer& stages, unsigned threads, Ranks* ranks) {
   Scene scene = scene_in_stage(plan.scene, plan.stages, stage_of(stages));
   scene.threads = threads;
-  return std::make_unique<Simulation>(scene, state);
+  return std::make_unique<Simulation>(scene, state, ranks);
 }
 
 void require_stages(const scenario::Plan& plan) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <scree/ranks.hpp>
 #include <scree/run/input_hashes.hpp>
 #include <scree/run/verdict.hpp>
 #include <scree/scenario/plan.hpp>
@@ -28,6 +29,7 @@ struct RunOptions {
   std::filesystem::path out;  // empty: runs/<stem of the scenario>, numbered if it exists
   bool overwrite = false;
   unsigned threads = 1;
+  Ranks* ranks = nullptr;  // that compute the scene together with this process, the first of them; or null
   std::function<void(const Simulation&)> on_start;     // called once, when the directory is ready
   std::function<void(const Progress&)> on_progress;    // called about five times per second
   std::function<void(const std::string&)> on_warning;  // one line "<what>; <cure>"
