@@ -1,12 +1,11 @@
 #include "motion/driven.hpp"
-#include "rank_threads.hpp"
+#include "over_ranks.hpp"
 #include "sanitized.hpp"
 #include "state/heap.hpp"
 #include "step/sliding_layers.hpp"
 
 #include <catch2/catch.hpp>
 
-#include <scree/follow_first_rank.hpp>
 #include <scree/simulation.hpp>
 
 // Scenes that several ranks compute, against the same scenes in one process.
@@ -18,7 +17,6 @@ using scree::Simulation;
 using scree::State;
 using scree::test::check_same;
 using scree::test::integrators;
-using scree::test::RankThreads;
 using scree::test::sliding_layers;
 
 namespace {
@@ -35,11 +33,7 @@ State after_steps(const Scene& scene, Ranks* ranks, int steps) {
 // at_random: tiles are dealt to ranks anew after each search.
 State over_ranks(const Scene& scene, unsigned ranks, bool at_random, int steps) {
   State first;
-  RankThreads(ranks, at_random).run([&](Ranks& member) {
-    if (member.rank() > 0) return scree::follow_first_rank(member, scree::test::host(), 1);
-    const scree::FirstRank leads(&member);
-    first = after_steps(scene, &member, steps);
-  });
+  scree::test::over_ranks(ranks, at_random, [&](Ranks& all) { first = after_steps(scene, &all, steps); });
   return first;
 }
 
