@@ -41,6 +41,7 @@ scree_load DisplacedLoads::load(const Scene& scene, std::size_t plane, const dou
     evaluate_({.input = &input,
                .tiles = nullptr,
                .tile = tile,
+               .pairs = kernel::TilePairs::all,
                .groups = &pairs.contacts.groups(),
                .laws = scene.laws.data(),
                .constants = &pairs.constants,

@@ -105,10 +105,11 @@ void Forces::evaluate(const Evaluation& e, ThreadPool& threads, const FinishPart
                                          .audit = features_.audit,
                                          .pair_forces = features_.pair_forces,
                                          .max_overlap_ratio = work.max_overlap_ratio};
-  const auto evaluate_tile = [&](std::size_t tile, unsigned worker) {
+  const auto evaluate_pairs = [&](std::size_t tile, unsigned worker, kernel::TilePairs pairs) {
     work.evaluate({.input = &input,
                    .tiles = &work.tiles,
                    .tile = tile,
+                   .pairs = pairs,
                    .groups = &e.contacts.groups(),
                    .laws = e.laws.data(),
                    .constants = &work.constants,
@@ -125,12 +126,15 @@ void Forces::evaluate(const Evaluation& e, ThreadPool& threads, const FinishPart
   if (share_)
     work.schedule.run_share(
         work.tiles, share_->owners.own(), *work.halo, e.particles, threads,
-        [&](std::size_t tile, unsigned worker) {
-          share_->failure.guard([&] { evaluate_tile(tile, worker); });
+        [&](std::size_t tile, unsigned worker, kernel::TilePairs pairs) {
+          share_->failure.guard([&] { evaluate_pairs(tile, worker, pairs); });
         },
         [&](std::size_t part, unsigned worker) { share_->failure.guard([&] { finish(part, worker); }); });
   else
-    work.schedule.run(work.tiles, threads, evaluate_tile, finish);
+    work.schedule.run(
+        work.tiles, threads,
+        [&](std::size_t tile, unsigned worker) { evaluate_pairs(tile, worker, kernel::TilePairs::all); },
+        finish);
   sum_loads(e.particles, e.loads, sums);
   add_total(work.tile_sums, total, sums);
   work.max_overlap_ratio = std::max(work.max_overlap_ratio, total.max_overlap_ratio);

@@ -26,6 +26,28 @@ void begin_messages(Ranks& ranks, const std::vector<std::size_t>& first_sent, co
   ranks.begin(to, from);
 }
 
+// Parts of three components.
+std::vector<std::size_t> components(std::initializer_list<std::size_t> parts) {
+  std::vector<std::size_t> numbers;
+  for (const std::size_t part : parts) numbers.insert(numbers.end(), {part, part + 1, part + 2});
+  return numbers;
+}
+
+// The numbers of a record that change in a step.
+std::vector<std::size_t> moving_numbers(const Particles& p) {
+  using namespace record;
+  if (p.dimension() == 3 && p.has_spin()) return components({position, motion, mid_motion, spin, mid_spin});
+  if (p.dimension() == 3) return components({position, motion, mid_motion});
+  std::vector<std::size_t> numbers = components({motion, mid_motion});
+  numbers.insert(numbers.end(), {position, position + 1});
+  return numbers;
+}
+
+// The numbers of a load, without those that are always 0.
+std::vector<std::size_t> load_numbers(const Particles& p) {
+  return p.dimension() == 3 && p.has_spin() ? components({0, 4}) : components({0});
+}
+
 template <class Items>
 std::vector<std::size_t> first_of_each(const std::vector<Items>& lists) {
   std::vector<std::size_t> first = {0};
@@ -86,7 +108,7 @@ void Halo::agree_on_loads(const std::vector<std::vector<Arrival>>& departures, k
 }
 
 std::size_t Halo::record_width(const Particles& particles) const {
-  return particles.width() + (orientations_ ? particles.orientations.stride() : 0);
+  return moving_numbers(particles).size() + (orientations_ ? particles.orientations.stride() : 0);
 }
 
 void Halo::plan(kernel::Tiles& tiles, Particles& particles, bool orientations) {
@@ -96,7 +118,9 @@ void Halo::plan(kernel::Tiles& tiles, Particles& particles, bool orientations) {
   agree_on_loads(departures, tiles);
   records_sent_.resize(places_sent_.rows.size() * record_width(particles));
   records_received_.resize(places_received_.rows.size() * record_width(particles));
-  loads_sent_.resize(slots_sent_.rows.size() * particles.load_width());
+  const std::size_t width = load_numbers(particles).size();
+  loads_sent_.resize(slots_sent_.rows.size() * width);
+  loads_received_.resize(first_arrival_.back() * width);
 #ifndef NDEBUG
   poison(particles);
 #endif
@@ -113,9 +137,11 @@ void Halo::poison(Particles& p) const {
 }
 
 void Halo::begin_records(const Particles& p) {
+  const std::vector<std::size_t> numbers = moving_numbers(p);
   double* next = records_sent_.data();
   for (const std::uint32_t place : places_sent_.rows) {
-    next = std::copy_n(p.records() + place * p.width(), p.width(), next);
+    const double* const record = p.records() + place * p.width();
+    for (const std::size_t number : numbers) *next++ = record[number];
     const std::size_t turned = orientations_ ? p.orientations.stride() : 0;
     next = std::copy_n(p.orientations.data() + place * turned, turned, next);
   }
@@ -125,25 +151,38 @@ void Halo::begin_records(const Particles& p) {
 
 void Halo::finish_records(Particles& p) {
   ranks_.finish();
+  const std::vector<std::size_t> numbers = moving_numbers(p);
   const double* next = records_received_.data();
   for (const std::uint32_t place : places_received_.rows) {
-    std::copy_n(next, p.width(), p.records() + place * p.width());
-    next += p.width();
+    double* const record = p.records() + place * p.width();
+    for (const std::size_t number : numbers) record[number] = *next++;
     const std::size_t turned = orientations_ ? p.orientations.stride() : 0;
     std::copy_n(next, turned, p.orientations.data() + place * turned);
     next += turned;
   }
 }
 
-void Halo::begin_loads(Particles& p) {
-  const std::size_t width = p.load_width();
+void Halo::begin_loads(const Particles& p) {
+  const std::vector<std::size_t> numbers = load_numbers(p);
   double* next = loads_sent_.data();
-  for (const std::uint32_t slot : slots_sent_.rows) next = std::copy_n(p.loads() + slot * width, width, next);
-  begin_messages(ranks_, slots_sent_.first, loads_sent_.data(), width, first_arrival_,
-                 p.loads() + first_arrival_slot_ * width, width);
+  for (const std::uint32_t slot : slots_sent_.rows) {
+    const double* const load = p.loads() + slot * p.load_width();
+    for (const std::size_t number : numbers) *next++ = load[number];
+  }
+  begin_messages(ranks_, slots_sent_.first, loads_sent_.data(), numbers.size(), first_arrival_,
+                 loads_received_.data(), numbers.size());
 }
 
-void Halo::finish_loads() { ranks_.finish(); }
+void Halo::finish_loads(Particles& p) {
+  ranks_.finish();
+  const std::vector<std::size_t> numbers = load_numbers(p);
+  const double* next = loads_received_.data();
+  double* load = p.loads() + first_arrival_slot_ * p.load_width();
+  for (std::size_t k = 0; k < first_arrival_.back(); ++k, load += p.load_width()) {
+    std::fill_n(load, p.load_width(), 0.0);
+    for (const std::size_t number : numbers) load[number] = *next++;
+  }
+}
 
 std::size_t Halo::ghosts() const { return places_received_.rows.size(); }
 

@@ -27,8 +27,8 @@ class Halo {
   void begin_records(const Particles& particles);
   void finish_records(Particles& particles);
   // Loads that pairs of other ranks exert on bodies of this one; `finish_loads` has them in their slots.
-  void begin_loads(Particles& particles);
-  void finish_loads();
+  void begin_loads(const Particles& particles);
+  void finish_loads(Particles& particles);
 
   // Of a tile of this rank: whether its pairs read bodies of other ranks, and whether loads come for it.
   bool reads_others(std::size_t tile) const { return reads_others_[tile]; }
@@ -60,7 +60,7 @@ class Halo {
   std::vector<std::size_t> first_arrival_;  // of each rank, counted from first_arrival_slot_
   std::size_t first_arrival_slot_ = 0;
   std::vector<char> reads_others_, loaded_by_others_;  // of each tile
-  std::vector<double> records_sent_, records_received_, loads_sent_;
+  std::vector<double> records_sent_, records_received_, loads_sent_, loads_received_;
 };
 
 }  // namespace scree

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "contacts/halo.hpp"
+#include "contacts/kernel/evaluate.hpp"
 #include "contacts/kernel/tiles.hpp"
 
 #include <atomic>
@@ -31,38 +32,38 @@ class TileSchedule {
     }
   }
 
-  // The same for the tiles of one rank: those that read no bodies of other ranks while the records of such
-  // bodies come, and parts that no pair of other ranks loads while their loads come.
-  template <class EvaluateTile, class FinishPart>
+  // The same for the tiles of one rank; evaluate(tile, worker, pairs). While records of bodies of other ranks
+  // come, it evaluates what reads none of them, and while their loads come, tiles that it has kept for that.
+  template <class Evaluate, class FinishPart>
   void run_share(const kernel::Tiles& tiles, const std::vector<std::uint32_t>& own, Halo& halo,
-                 Particles& particles, ThreadPool& threads, const EvaluateTile& evaluate_tile,
+                 Particles& particles, ThreadPool& threads, const Evaluate& evaluate,
                  const FinishPart& finish_part) {
-    std::vector<std::uint32_t> inner, outer, loaded;
-    for (const std::uint32_t tile : own) {
-      (halo.reads_others(tile) ? outer : inner).push_back(tile);
-      if (halo.is_loaded_by_others(tile)) loaded.push_back(tile);
-    }
+    using kernel::TilePairs;
+    const ShareOrder order = order_of_share(tiles, own, halo);
     reset_pending(tiles);
-    for (const std::uint32_t tile : loaded) pending_[tile].fetch_add(1, std::memory_order_relaxed);
-    const auto evaluate = [&](const std::vector<std::uint32_t>& some) {
-      threads.each(some.size(), [&](std::size_t k, unsigned worker) {
-        evaluate_and_finish(tiles, some[k], worker, evaluate_tile, finish_part);
-      });
+    for (const std::uint32_t tile : order.loaded) pending_[tile].fetch_add(1, std::memory_order_relaxed);
+    const auto each = [&](const std::vector<std::uint32_t>& some, const auto& work) {
+      threads.each(some.size(), [&](std::size_t k, unsigned worker) { work(some[k], worker); });
     };
-    const auto finish_remaining = [&] {
-      threads.each(own.size(), [&](std::size_t k, unsigned worker) {
-        finish_if_ready(tiles, own[k], worker, finish_part);
-      });
+    const auto all_of_tile = [&](std::uint32_t tile, unsigned worker) {
+      evaluate(tile, worker, TilePairs::all);
+      after_evaluation(tiles, tile, worker, finish_part);
     };
     halo.begin_records(particles);
-    evaluate(inner);
+    each(order.reading,
+         [&](std::uint32_t tile, unsigned worker) { evaluate(tile, worker, TilePairs::inside); });
+    each(order.before_loads, all_of_tile);
     halo.finish_records(particles);
-    evaluate(outer);
+    each(order.reading, [&](std::uint32_t tile, unsigned worker) {
+      evaluate(tile, worker, TilePairs::crossing);
+      after_evaluation(tiles, tile, worker, finish_part);
+    });
     halo.begin_loads(particles);
-    finish_remaining();
-    halo.finish_loads();
-    for (const std::uint32_t tile : loaded) pending_[tile].fetch_sub(1, std::memory_order_relaxed);
-    finish_remaining();
+    each(order.kept, all_of_tile);
+    halo.finish_loads(particles);
+    for (const std::uint32_t tile : order.loaded) pending_[tile].fetch_sub(1, std::memory_order_relaxed);
+    each(own,
+         [&](std::uint32_t tile, unsigned worker) { finish_if_ready(tiles, tile, worker, finish_part); });
   }
 
  private:
@@ -98,6 +99,12 @@ class TileSchedule {
   void evaluate_and_finish(const kernel::Tiles& tiles, std::size_t tile, unsigned worker,
                            const EvaluateTile& evaluate_tile, const FinishPart& finish_part) {
     evaluate_tile(tile, worker);
+    after_evaluation(tiles, tile, worker, finish_part);
+  }
+
+  template <class FinishPart>
+  void after_evaluation(const kernel::Tiles& tiles, std::size_t tile, unsigned worker,
+                        const FinishPart& finish_part) {
     for (const std::uint32_t reached : tiles.tiles()[tile].reached)
       pending_[reached].fetch_sub(1, std::memory_order_acq_rel);
     finish_if_ready(tiles, tile, worker, finish_part);
@@ -109,6 +116,34 @@ class TileSchedule {
     std::uint32_t none = 0;
     if (pending_[tile].compare_exchange_strong(none, finished, std::memory_order_acq_rel))
       tiles.bodies().each_part(tile, [&](std::size_t part) { finish_part(part, worker); });
+  }
+
+  // Tiles of a rank in the order of their evaluation: tiles that read bodies of other ranks, tiles that are
+  // evaluated before the loads for other ranks are complete, tiles that are kept until then; and tiles for
+  // which loads of other ranks come.
+  struct ShareOrder {
+    std::vector<std::uint32_t> reading, before_loads, kept, loaded;
+  };
+  // As many blocks of pairs are evaluated while records come as while loads come, if possible.
+  static ShareOrder order_of_share(const kernel::Tiles& tiles, const std::vector<std::uint32_t>& own,
+                                   const Halo& halo) {
+    ShareOrder order;
+    std::size_t all = 0, before = 0;
+    for (const std::uint32_t t : own) {
+      const kernel::Tiles::Tile& tile = tiles.tiles()[t];
+      all += tile.last_block - tile.first_block;
+      if (halo.is_loaded_by_others(t)) order.loaded.push_back(t);
+      if (!halo.reads_others(t)) continue;
+      order.reading.push_back(t);
+      before += tile.first_crossing - tile.first_block;
+    }
+    for (const std::uint32_t t : own) {
+      if (halo.reads_others(t)) continue;
+      const kernel::Tiles::Tile& tile = tiles.tiles()[t];
+      (2 * before < all ? order.before_loads : order.kept).push_back(t);
+      before += tile.last_block - tile.first_block;
+    }
+    return order;
   }
 
   void reset_pending(const kernel::Tiles& tiles) {

@@ -66,13 +66,17 @@ template <int D, bool spin>
 SCREE_HOT void evaluate_tile(const TileJob& job) {
   constexpr std::size_t width = record::load_width(D, spin);
   const Tiles::Tile& tile = job.tiles->tiles()[job.tile];
-  std::fill(job.slots + width * tile.first_foreign, job.slots + width * tile.last_own, 0.0);
+  const bool goes_on = job.pairs == TilePairs::crossing;
+  const std::size_t first = goes_on ? tile.first_crossing : tile.first_block;
+  const std::size_t last = job.pairs == TilePairs::inside ? tile.first_crossing : tile.last_block;
+  if (!goes_on) std::fill(job.slots + width * tile.first_foreign, job.slots + width * tile.last_own, 0.0);
   BlockColumns work;
   begin_batch(*job.input, work);
-  BodiesAhead<D, spin> bodies(job, phases * (tile.last_block - tile.first_block));
+  BodiesAhead<D, spin> bodies(job, phases * (last - first));
   ContactSums sums;
   sums.max_overlap_ratio = job.input->max_overlap_ratio;
-  for (std::size_t k = tile.first_block; k < tile.last_block; ++k) {
+  if (goes_on) sums = job.sums[job.tile];
+  for (std::size_t k = first; k < last; ++k) {
     const BlockTask task = block_task(job, job.tiles->blocks()[k]);
     task.group.planes ? evaluate_block<D, spin, true>(task, work, bodies, sums)
                       : evaluate_block<D, spin, false>(task, work, bodies, sums);

@@ -7,11 +7,15 @@ namespace scree::kernel {
 
 struct EvaluationInput;
 
+// Pairs of a tile: all, pairs inside it, or pairs with bodies of other tiles, which follow the others.
+enum class TilePairs { all, inside, crossing };
+
 // Input and output of the evaluation of one tile.
 struct TileJob {
   const EvaluationInput* input;
   const Tiles* tiles;
   std::size_t tile;
+  TilePairs pairs;
   std::vector<PairGroup>* groups;
   const LawInstance* laws;
   PairConstants* constants;
@@ -20,7 +24,7 @@ struct TileJob {
   Profile* profile;   // null: not measured
 };
 
-// Evaluates all pairs of a tile: gather -> geometry -> law -> scatter, in blocks.
+// Evaluates pairs of a tile: gather -> geometry -> law -> scatter, in blocks.
 using EvaluateTile = void (*)(const TileJob&);
 
 // The evaluation for the features of a scene, compiled for the best instruction level that the processor

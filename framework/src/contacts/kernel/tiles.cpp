@@ -20,7 +20,8 @@ void sort_and_unite(std::vector<std::uint32_t>& numbers) {
 // First the blocks of pairs inside the tile: their evaluation needs no body of another tile.
 void Tiles::cut_blocks(const Contacts& contacts, std::uint32_t t) {
   tiles_[t].first_block = blocks_.size();
-  for (const bool crossing : {false, true})
+  for (const bool crossing : {false, true}) {
+    tiles_[t].first_crossing = blocks_.size();
     for (std::uint32_t g = 0; g < contacts.groups().size(); ++g) {
       const PairGroup& group = contacts.groups()[g];
       if (group.runs.empty()) continue;
@@ -31,6 +32,7 @@ void Tiles::cut_blocks(const Contacts& contacts, std::uint32_t t) {
         blocks_.push_back({g, p, std::uint32_t(padded_to_lanes(pairs)), std::uint32_t(pairs)});
       }
     }
+  }
   tiles_[t].last_block = blocks_.size();
 }
 

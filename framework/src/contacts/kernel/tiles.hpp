@@ -37,6 +37,7 @@ class Tiles {
   };
   struct Tile {
     std::size_t first_block = 0, last_block = 0;      // [first, last)
+    std::size_t first_crossing = 0;                   // block from which on pairs may be with other tiles
     std::size_t first_foreign = 0, last_foreign = 0;  // slots written for other tiles
     std::size_t first_own = 0, last_own = 0;          // slots of planes and padding: [first, last)
     std::size_t first_outgoing = 0;                   // of the slots for other tiles, counted over all tiles
