@@ -103,6 +103,8 @@ BenchResult time_steps(const scenario::Plan& plan, const BenchOptions& options) 
   r.bytes_per_contact = footprint.bytes_per_pair;
   r.listed_pairs = footprint.listed_pairs;
   r.crossing_share = footprint.crossing_share;
+  r.foreign_bodies = footprint.foreign_bodies;
+  r.bytes_sent = footprint.bytes_sent;
   r.state_hash = s.state_hash();
   return r;
 }

@@ -25,6 +25,7 @@ struct BenchResult {
   std::size_t particles, contacts, bytes_per_particle, bytes_per_contact;  // at the end
   std::size_t listed_pairs;                                                // the same, see Footprint
   double crossing_share;
+  std::size_t foreign_bodies, bytes_sent;
   std::uint64_t steps;             // of a repeat
   double first_time;               // (s) in the scene
   std::vector<double> s_per_step;  // of each repeat

@@ -30,6 +30,8 @@ struct Footprint {
   std::uint32_t history_width;  // history columns per pair, the most of any law
   std::size_t listed_pairs;     // of bodies, and of bodies and planes
   double crossing_share;        // of the listed pairs of bodies, those between two tiles, which take longer
+  std::size_t foreign_bodies;   // that ranks read although other ranks have them, summed over ranks
+  std::size_t bytes_sent;       // between ranks in an evaluation
 };
 
 // A running simulation of one scene. The sequence of a step is listed in src/step/stepper.cpp.

@@ -79,6 +79,11 @@ void Forces::bring_bodies_of_others(Particles& particles) {
   work_->halo->finish_records(particles);
 }
 
+Forces::Foreign Forces::foreign() const {
+  if (!share_) return {0, 0};
+  return {work_->halo->foreign_bodies(), work_->halo->bytes_sent()};
+}
+
 void Forces::clear(Particles& particles, BodyRange bodies) {
   const std::size_t width = particles.load_width();
   std::fill(particles.loads() + bodies.begin * width, particles.loads() + bodies.end * width, 0.0);

@@ -71,6 +71,11 @@ class Forces {
   void evaluate(const Evaluation& evaluation, ThreadPool& threads, const FinishPart& finish_part,
                 RankSums& sums, ContactSums& total, Profile* profile = nullptr);
 
+  // Bodies of other ranks that pairs of this rank read, and bytes that it sends in an evaluation.
+  struct Foreign {
+    std::size_t bodies, bytes_sent;
+  };
+  Foreign foreign() const;
   // Brings records of bodies of other ranks that pairs of this rank read, between evaluations.
   void bring_bodies_of_others(Particles& particles);
 

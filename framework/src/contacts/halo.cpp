@@ -184,6 +184,6 @@ void Halo::finish_loads(Particles& p) {
   }
 }
 
-std::size_t Halo::ghosts() const { return places_received_.rows.size(); }
+std::size_t Halo::foreign_bodies() const { return places_received_.rows.size(); }
 
 }  // namespace scree

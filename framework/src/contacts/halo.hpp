@@ -34,7 +34,7 @@ class Halo {
   bool reads_others(std::size_t tile) const { return reads_others_[tile]; }
   bool is_loaded_by_others(std::size_t tile) const { return loaded_by_others_[tile]; }
   // Bodies of other ranks that the pairs of this one read, and bytes that it sends in an evaluation.
-  std::size_t ghosts() const;
+  std::size_t foreign_bodies() const;
   std::size_t bytes_sent() const { return sizeof(double) * (records_sent_.size() + loads_sent_.size()); }
 
  private:

@@ -18,11 +18,6 @@ struct TileBox {
   double radius;
 };
 
-struct PlacedSphere {
-  std::uint32_t place;
-  Sphere sphere;
-};
-
 // Of all tiles; each rank measures its own.
 std::vector<TileBox> boxes_of(RankShare& share, std::span<const Sphere> bodies, const BodyTiles& tiles) {
   std::vector<double> numbers(TileBox::width * tiles.count(), -std::numeric_limits<double>::infinity());
@@ -74,24 +69,23 @@ double slack(const TileBox& box) {
 // The ranks with tiles before this one that the body may be near to.
 void send_to_near(const Sphere& body, std::uint32_t place, const std::vector<std::uint32_t>& near_tiles,
                   const std::vector<TileBox>& boxes, const Domain& domain, double skin,
-                  const TileOwners& owners, std::vector<std::vector<PlacedSphere>>& sent) {
+                  const TileOwners& owners, std::vector<std::vector<std::uint32_t>>& sent) {
   const std::array<double, 3> at = {body.position[0], body.position[1], body.position[2]};
   for (const std::uint32_t tile : near_tiles) {
-    std::vector<PlacedSphere>& to = sent[owners.rank_of(tile)];
-    if (!to.empty() && to.back().place == place) continue;
+    std::vector<std::uint32_t>& to = sent[owners.rank_of(tile)];
+    if (!to.empty() && to.back() == place) continue;
     const double reach = body.radius + boxes[tile].radius + skin + slack(boxes[tile]);
-    if (is_near(boxes[tile], at, at, reach, domain)) to.push_back({place, body});
+    if (is_near(boxes[tile], at, at, reach, domain)) to.push_back(place);
   }
 }
 
 }  // namespace
 
-NearBodies find_near_bodies(RankShare& share, std::span<const Sphere> bodies, const Domain& domain,
-                            double skin) {
+void NearBodies::find(RankShare& share, std::span<const Sphere> bodies, const Domain& domain, double skin) {
   const BodyTiles tiles(bodies.size());
   const std::vector<TileBox> boxes = boxes_of(share, bodies, tiles);
-  std::vector<std::vector<PlacedSphere>> sent(share.ranks.size());
-  std::vector<PlacedSphere> near;
+  sent_.assign(share.ranks.size(), {});
+  places_.clear();
   for (const std::uint32_t tile : share.owners.own()) {
     std::vector<std::uint32_t> near_tiles;
     for (std::uint32_t other = 0; other < tile; ++other) {
@@ -101,18 +95,37 @@ NearBodies find_near_bodies(RankShare& share, std::span<const Sphere> bodies, co
         near_tiles.push_back(other);
     }
     for (std::size_t i = tiles[tile].begin; i < tiles[tile].end; ++i) {
-      near.push_back({std::uint32_t(i), bodies[i]});
-      send_to_near(bodies[i], std::uint32_t(i), near_tiles, boxes, domain, skin, share.owners, sent);
+      places_.push_back(std::uint32_t(i));
+      send_to_near(bodies[i], std::uint32_t(i), near_tiles, boxes, domain, skin, share.owners, sent_);
     }
   }
-  for (const std::vector<PlacedSphere>& received : exchange_items(share.ranks, sent))
-    near.insert(near.end(), received.begin(), received.end());
-  std::sort(near.begin(), near.end(),
-            [](const PlacedSphere& one, const PlacedSphere& other) { return one.place < other.place; });
-  NearBodies found;
-  for (const PlacedSphere& body : near)
-    found.spheres.push_back(body.sphere), found.places.push_back(body.place);
-  return found;
+  list(exchange_items(share.ranks, sent_), share.owners, tiles);
+  update(share, bodies);
+}
+
+void NearBodies::list(const std::vector<std::vector<std::uint32_t>>& received, const TileOwners& owners,
+                      const BodyTiles& tiles) {
+  for (const std::vector<std::uint32_t>& of_rank : received)
+    places_.insert(places_.end(), of_rank.begin(), of_rank.end());
+  std::sort(places_.begin(), places_.end());
+  spheres_.resize(places_.size());
+  own_.clear();
+  for (std::uint32_t k = 0; k < places_.size(); ++k)
+    if (owners.is_own(tiles.owner(places_[k]))) own_.push_back(k);
+  received_ = received;
+  for (std::vector<std::uint32_t>& of_rank : received_)
+    for (std::uint32_t& place : of_rank)
+      place = std::uint32_t(std::lower_bound(places_.begin(), places_.end(), place) - places_.begin());
+}
+
+void NearBodies::update(RankShare& share, std::span<const Sphere> bodies) {
+  for (const std::uint32_t k : own_) spheres_[k] = bodies[places_[k]];
+  std::vector<std::vector<Sphere>> sent(sent_.size());
+  for (std::size_t r = 0; r < sent_.size(); ++r)
+    for (const std::uint32_t place : sent_[r]) sent[r].push_back(bodies[place]);
+  const std::vector<std::vector<Sphere>> received = exchange_items(share.ranks, sent);
+  for (std::size_t r = 0; r < received_.size(); ++r)
+    for (std::size_t k = 0; k < received_[r].size(); ++k) spheres_[received_[r][k]] = received[r][k];
 }
 
 }  // namespace scree

@@ -12,15 +12,30 @@
 
 namespace scree {
 
-// Bodies among which a rank finds the pairs of its tiles.
-struct NearBodies {
-  std::vector<Sphere> spheres;        // in the order of their places
-  std::vector<std::uint32_t> places;  // of each
-};
+// The bodies among which a rank finds the pairs of its tiles: its own, and bodies of later tiles of other ranks
+// that may be near.
+class NearBodies {
+ public:
+  // Lists the bodies that may be within the skin (m) of this rank's. bodies: by place, current for this
+  // rank's.
+  void find(RankShare& share, std::span<const Sphere> bodies, const Domain& domain, double skin);
+  // Brings the listed bodies to where they are now. The tiles must belong to the same ranks, and the bodies
+  // be at the same places.
+  void update(RankShare& share, std::span<const Sphere> bodies);
 
-// The bodies of this rank, and those of later tiles of other ranks that may be within the skin (m) of them.
-// bodies: by place, current for this rank's.
-NearBodies find_near_bodies(RankShare& share, std::span<const Sphere> bodies, const Domain& domain,
-                            double skin);
+  const std::vector<Sphere>& spheres() const { return spheres_; }       // in the order of their places
+  const std::vector<std::uint32_t>& places() const { return places_; }  // of each
+
+ private:
+  // received: places of bodies of each other rank.
+  void list(const std::vector<std::vector<std::uint32_t>>& received, const TileOwners& owners,
+            const BodyTiles& tiles);
+
+  std::vector<Sphere> spheres_;
+  std::vector<std::uint32_t> places_;
+  std::vector<std::uint32_t> own_;  // indices of this rank's
+  std::vector<std::vector<std::uint32_t>> sent_,
+      received_;  // places sent to, indices received from each rank
+};
 
 }  // namespace scree

@@ -234,17 +234,28 @@ std::vector<std::uint32_t> NeighbourList::own_tiles(std::size_t bodies) const {
 const std::vector<NeighbourPair>& NeighbourList::find_pairs(double moved, const Particles& particles,
                                                             const Domain& domain, ThreadPool& threads) {
   if (!share_) return search_.find(bodies_at_search_, particles.dimension(), domain, skin_, moved, threads);
-  find_own_pairs(particles.dimension(), domain, threads);
+  find_own_pairs(moved, particles.dimension(), domain, threads);
   return own_pairs_;
 }
 
-void NeighbourList::find_own_pairs(int dimension, const Domain& domain, ThreadPool& threads) {
-  const NearBodies near = find_near_bodies(*share_, bodies_at_search_, domain, skin_);
+void NeighbourList::find_own_pairs(double moved, int dimension, const Domain& domain, ThreadPool& threads) {
+  // In skins; candidates of repeated searches usually reach as far.
+  constexpr double near_reach = 5, least_near_reach = 2;
+  near_covered_ -= 2 * moved;
+  if (!(near_covered_ > least_near_reach * skin_)) {
+    near_covered_ = near_reach * skin_;
+    near_.find(*share_, bodies_at_search_, domain, near_covered_);
+    moved = std::numeric_limits<double>::infinity();
+  } else {
+    near_.update(*share_, bodies_at_search_);
+  }
   const BodyTiles tiles(bodies_at_search_.size());
   own_pairs_.clear();
-  for (const NeighbourPair& pair : search_of_share_.find(near.spheres, dimension, domain, skin_, threads))
-    if (share_->owners.is_own(tiles.owner(near.places[pair.a])))
-      own_pairs_.push_back({near.places[pair.a], near.places[pair.b], pair.image});
+  const std::vector<std::uint32_t>& places = near_.places();
+  for (const NeighbourPair& pair :
+       search_.find(near_.spheres(), dimension, domain, skin_, moved, threads, near_covered_))
+    if (share_->owners.is_own(tiles.owner(places[pair.a])))
+      own_pairs_.push_back({places[pair.a], places[pair.b], pair.image});
 }
 
 namespace {
@@ -284,6 +295,7 @@ void NeighbourList::send(const RowRoutes& routes) { routes.send(share_->ranks, b
 void NeighbourList::rearrange(const std::vector<std::uint32_t>& from) {
   rearrange_rows(bodies_at_search_, 1, from);
   better_order_.clear();
+  near_covered_ = 0;
 }
 
 // In scene order.

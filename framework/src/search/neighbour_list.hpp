@@ -1,6 +1,7 @@
 #pragma once
 
 #include "contacts/contacts.hpp"
+#include "ranks/bodies_near.hpp"
 #include "ranks/rank_share.hpp"
 #include "search/repeated_search.hpp"
 #include "search/skin_choice.hpp"
@@ -56,6 +57,9 @@ class NeighbourList {
   // Moves the bodies in memory, see Particles::rearrange; a search must follow.
   void rearrange(const std::vector<std::uint32_t>& from);
 
+  // After tiles have been dealt to ranks.
+  void forget_near_bodies() { near_covered_ = 0; }
+
   double skin() const { return skin_; }
   // Of each plane, whether it was absent at the last search.
   const std::vector<std::uint8_t>& absent_at_search() const { return absent_at_search_; }
@@ -91,10 +95,11 @@ class NeighbourList {
   const std::vector<NeighbourPair>& find_pairs(double moved, const Particles& particles, const Domain& domain,
                                                ThreadPool& threads);
   // Pairs of the tiles of this rank.
-  void find_own_pairs(int dimension, const Domain& domain, ThreadPool& threads);
+  void find_own_pairs(double moved, int dimension, const Domain& domain, ThreadPool& threads);
 
   RepeatedSearch search_;
-  PairSearch search_of_share_;
+  NearBodies near_;          // of several ranks
+  double near_covered_ = 0;  // skin (m) within which no body is missing there
   std::vector<NeighbourPair> own_pairs_;
   double body_travel_ = 0, plane_travel_ = 0;  // (m) bounds of the displacement since the last search
   Column<Sphere> bodies_at_search_;            // bodies at the last search

@@ -64,10 +64,10 @@ SCREE_EVERY_LEVEL NeighbourPair* copy_near(const NeighbourPair* begin, const Nei
 
 const std::vector<NeighbourPair>& RepeatedSearch::find(std::span<const Sphere> bodies, int dimension,
                                                        const Domain& domain, double skin, double moved,
-                                                       ThreadPool& threads) {
+                                                       ThreadPool& threads, double complete) {
   covered_ -= 2 * moved;
   const bool search = !(skin < covered_);
-  if (search) find_candidates(bodies, dimension, domain, skin, threads);
+  if (search) find_candidates(bodies, dimension, domain, skin, complete, threads);
   const bool all = !(skin < covered_);  // without a margin
   if (!all) select(bodies, domain, skin, threads);
   if (search && !all) adapt_margin();
@@ -77,12 +77,12 @@ const std::vector<NeighbourPair>& RepeatedSearch::find(std::span<const Sphere> b
 }
 
 void RepeatedSearch::find_candidates(std::span<const Sphere> bodies, int dimension, const Domain& domain,
-                                     double skin, ThreadPool& threads) {
+                                     double skin, double complete, ThreadPool& threads) {
   const Largest largest(bodies);
   // Bodies are folded, and their displacements measured, with rounded coordinates.
   const double round_off = 1e3 * std::numeric_limits<double>::epsilon() * largest.coordinate;
   const double limit = margin_limit(domain, dimension, 2 * largest.radius + skin);
-  double margin = std::min(margin_per_skin_ * skin, limit);
+  double margin = std::min({margin_per_skin_ * skin, limit, complete - skin});
   if (margin < std::max(smallest_margin * skin, 2 * round_off) || found_last_ > search_.most_pairs() / 8)
     margin = 0;
   covered_ = 0;  // also after an error

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -16,15 +17,17 @@ class RepeatedSearch {
   // moved: a bound of the largest displacement of a body since the last search (m), without folding; infinite
   // if it is unknown or if the number, the order, the radii of the bodies or the domain have changed. Valid
   // until the next search. Errors as of PairSearch::find.
+  // complete: skin (m) up to which all bodies that have pairs are given.
   const std::vector<NeighbourPair>& find(std::span<const Sphere> bodies, int dimension, const Domain& domain,
-                                         double skin, double moved, ThreadPool& threads);
+                                         double skin, double moved, ThreadPool& threads,
+                                         double complete = std::numeric_limits<double>::infinity());
 
   // Searches by the grid so far.
   std::size_t grid_searches() const { return grid_searches_; }
 
  private:
   void find_candidates(std::span<const Sphere> bodies, int dimension, const Domain& domain, double skin,
-                       ThreadPool& threads);
+                       double complete, ThreadPool& threads);
   void select(std::span<const Sphere> bodies, const Domain& domain, double skin, ThreadPool& threads);
   void adapt_margin();
 

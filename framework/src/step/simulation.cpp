@@ -324,7 +324,7 @@ double Simulation::min_steps_per_contact() const {
 Footprint Simulation::footprint() const {
   const Particles& p = parts_->particles;
   parts_->command(RankCommand::count_pairs);
-  const auto [listed, crossing] = parts_->count_pairs();
+  const auto [listed, crossing, foreign, sent] = parts_->count_pairs();
   std::uint32_t width = 0;
   for (const LawInstance& law : parts_->laws) width = std::max(width, law.interface.history_width);
   const std::size_t spins = std::size_t(p.spin_axes().last - p.spin_axes().first);
@@ -340,7 +340,9 @@ Footprint Simulation::footprint() const {
           .bytes_per_pair = parts_->forces.bytes_per_pair() + width * sizeof(double),
           .history_width = width,
           .listed_pairs = listed,
-          .crossing_share = crossing.share()};
+          .crossing_share = crossing.share(),
+          .foreign_bodies = foreign,
+          .bytes_sent = sent};
 }
 
 }  // namespace scree

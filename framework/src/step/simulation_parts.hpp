@@ -70,10 +70,11 @@ struct SimulationParts {
   // Give the first rank the state of all bodies, all pairs.
   void gather_bodies();
   void gather_pairs();
-  // Pairs of all ranks: listed, and those of bodies.
+  // Listed pairs of all ranks, of these the pairs of bodies; see Footprint.
   struct PairCounts {
     std::size_t listed;
     CrossingPairs of_bodies;
+    std::size_t foreign_bodies, bytes_sent;
   };
   PairCounts count_pairs() const;
   void command_change(RankCommand command, const std::string& name, const Parameters& parameters,

@@ -86,6 +86,7 @@ void SimulationParts::deal_tiles(TileOwners next) {
   PairColumns of_pairs = with_forces ? forces.pair_forces() : PairColumns();
   contacts.send_to_owners(share->ranks, next, of_pairs, with_forces ? forces.columns() : 0);
   share->owners = std::move(next);
+  neighbours.forget_near_bodies();
   forces.update_pairs(particles, contacts, reads_of(laws), boundaries.planes().size(), *threads);
   if (with_forces && forces.columns() > 0) forces.pair_forces() = std::move(of_pairs);
   stepper.take_own_parts();
@@ -134,8 +135,12 @@ SimulationParts::PairCounts SimulationParts::count_pairs() const {
   sums.total(listed);
   sums.total(of_bodies.all);
   sums.total(of_bodies.crossing);
+  const Forces::Foreign here = forces.foreign();
+  std::int64_t foreign = std::int64_t(here.bodies), sent = std::int64_t(here.bytes_sent);
+  sums.total(foreign);
+  sums.total(sent);
   sums.close();
-  return {std::size_t(listed), of_bodies};
+  return {std::size_t(listed), of_bodies, std::size_t(foreign), std::size_t(sent)};
 }
 
 void SimulationParts::command_change(RankCommand change, const std::string& name,
