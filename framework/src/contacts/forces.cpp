@@ -129,7 +129,7 @@ void Forces::evaluate(const Evaluation& e, ThreadPool& threads, const FinishPart
     finish_part(part, worker);
   };
   if (share_)
-    work.schedule.run_share(
+    share_->busy += work.schedule.run_share(
         work.tiles, share_->owners.own(), *work.halo, e.particles, threads,
         [&](std::size_t tile, unsigned worker, kernel::TilePairs pairs) {
           share_->failure.guard([&] { evaluate_pairs(tile, worker, pairs); });

@@ -5,6 +5,7 @@
 #include "contacts/kernel/tiles.hpp"
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <memory>
 
@@ -34,16 +35,20 @@ class TileSchedule {
 
   // The same for the tiles of one rank; evaluate(tile, worker, pairs). While records of bodies of other ranks
   // come, it evaluates what reads none of them, and while their loads come, tiles that it has kept for that.
+  // Returns the time for which it has not waited (s).
   template <class Evaluate, class FinishPart>
-  void run_share(const kernel::Tiles& tiles, const std::vector<std::uint32_t>& own, Halo& halo,
-                 Particles& particles, ThreadPool& threads, const Evaluate& evaluate,
-                 const FinishPart& finish_part) {
+  double run_share(const kernel::Tiles& tiles, const std::vector<std::uint32_t>& own, Halo& halo,
+                   Particles& particles, ThreadPool& threads, const Evaluate& evaluate,
+                   const FinishPart& finish_part) {
     using kernel::TilePairs;
     const ShareOrder order = order_of_share(tiles, own, halo);
     reset_pending(tiles);
     for (const std::uint32_t tile : order.loaded) pending_[tile].fetch_add(1, std::memory_order_relaxed);
+    double busy = 0;
     const auto each = [&](const std::vector<std::uint32_t>& some, const auto& work) {
+      const auto start = std::chrono::steady_clock::now();
       threads.each(some.size(), [&](std::size_t k, unsigned worker) { work(some[k], worker); });
+      busy += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     };
     const auto all_of_tile = [&](std::uint32_t tile, unsigned worker) {
       evaluate(tile, worker, TilePairs::all);
@@ -64,6 +69,7 @@ class TileSchedule {
     for (const std::uint32_t tile : order.loaded) pending_[tile].fetch_sub(1, std::memory_order_relaxed);
     each(own,
          [&](std::uint32_t tile, unsigned worker) { finish_if_ready(tiles, tile, worker, finish_part); });
+    return busy;
   }
 
  private:

@@ -17,6 +17,7 @@ struct RankShare {
   Ranks& ranks;
   TileOwners owners;
   std::uint64_t dealt_after = 0;  // searches
+  double busy = 0;                // (s) for which this rank has evaluated its tiles since they were dealt
   RankFailure failure = {};
   std::function<bool()> is_interrupted = {};  // whether this process has been asked to stop; may be empty
   bool other_is_interrupted = false;          // whether any rank has been asked, as of the last evaluation

@@ -1,5 +1,7 @@
 #include "ranks/tile_owners.hpp"
 
+#include <algorithm>
+#include <numeric>
 #include <random>
 #include <utility>
 
@@ -13,9 +15,15 @@ TileOwners::TileOwners(std::vector<std::uint32_t> rank_of, unsigned rank)
     if (is_own(tile)) own_.push_back(tile);
 }
 
-TileOwners TileOwners::ranges(std::size_t tiles, unsigned ranks, unsigned rank) {
-  std::vector<std::uint32_t> rank_of(tiles);
-  for (std::size_t tile = 0; tile < tiles; ++tile) rank_of[tile] = std::uint32_t(tile * ranks / tiles);
+TileOwners TileOwners::ranges(std::span<const double> weights, unsigned ranks, unsigned rank) {
+  const double all = std::accumulate(weights.begin(), weights.end(), 0.0);
+  std::vector<std::uint32_t> rank_of(weights.size());
+  double before = 0;
+  for (std::size_t tile = 0; tile < weights.size(); ++tile) {
+    const double middle = before + 0.5 * weights[tile];
+    rank_of[tile] = std::min(ranks - 1, std::uint32_t(ranks * middle / all));
+    before += weights[tile];
+  }
   return {std::move(rank_of), rank};
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace scree {
@@ -15,8 +16,8 @@ class TileOwners {
   explicit TileOwners(std::size_t tiles = 1);
   // rank_of: of each tile.
   TileOwners(std::vector<std::uint32_t> rank_of, unsigned rank);
-  // Ranges of tiles of about the same number of tiles.
-  static TileOwners ranges(std::size_t tiles, unsigned ranks, unsigned rank);
+  // Consecutive tiles for each rank, whose weights add up to about the same sum.
+  static TileOwners ranges(std::span<const double> weights, unsigned ranks, unsigned rank);
   // Tiles in no order, the same on all ranks for the same seed.
   static TileOwners at_random(std::size_t tiles, unsigned ranks, unsigned rank, std::uint64_t seed);
 

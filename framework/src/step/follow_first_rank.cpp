@@ -56,7 +56,7 @@ class Follower {
     parts_.transfer_shared(StateTransfer::restoring_from(shared));
     parts_.share_with(ranks);
     parts_.share->is_interrupted = is_interrupted;
-    parts_.deal_tiles(parts_.even_owners());
+    parts_.deal_tiles(parts_.balanced_owners(1));
   }
 
   // Does what the first rank commands, until a command comes; false if the simulation ends before.

@@ -61,11 +61,17 @@ struct SimulationParts {
   void transfer_shared(const class StateTransfer& state);
   // From now on several ranks compute the scene, of which the first has all bodies and pairs.
   void share_with(Ranks& ranks);
-  // As many tiles for each rank, in the order of memory.
-  TileOwners even_owners() const;
+  // Consecutive tiles for each rank, with about as much work if the work of a tile is what all ranks together
+  // have as its pairs and bodies, times this rank's `weight`.
+  TileOwners balanced_owners(double weight) const;
   // Gives tiles to other ranks, with their bodies and pairs.
   void deal_tiles(TileOwners next);
   void deal_after_search();
+  // For how long ranks have been busy since tiles were dealt: the busiest, and the mean (s).
+  struct Busy {
+    double most, mean;
+  };
+  Busy busy_ranks() const;
   void send_bodies(const RowRoutes& routes);
   // Give the first rank the state of all bodies, all pairs.
   void gather_bodies();

@@ -3,6 +3,8 @@
 #include "state/state_bytes.hpp"
 #include "step/simulation_parts.hpp"
 
+#include <cstdint>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -16,6 +18,17 @@
 namespace scree {
 
 namespace {
+
+// Tiles are dealt anew if the busiest rank has worked for so much longer than the mean, and for so long (s).
+constexpr double largest_imbalance = 1.1, least_measured = 0.1;
+
+// Of evaluating a tile: its pairs, and its bodies, each of which takes about as long.
+std::size_t work_in(const Contacts& contacts, const BodyTiles& tiles, std::size_t tile) {
+  std::size_t work = tiles[tile].end - tiles[tile].begin;
+  for (const PairGroup& group : contacts.groups())
+    if (!group.runs.empty()) work += group.runs[tile].end - group.runs[tile].begin;
+  return work;
+}
 
 void broadcast_state(Ranks& ranks, const State& state) {
   std::vector<std::byte> bytes = bytes_of(state);
@@ -35,7 +48,7 @@ void Simulation::share_with(Ranks* ranks) {
   p.transfer_shared(StateTransfer::saving_to(shared));
   broadcast_state(*ranks, shared);
   p.share_with(*ranks);
-  p.deal_tiles(p.even_owners());
+  p.deal_tiles(p.balanced_owners(1));
 }
 
 Simulation::~Simulation() {
@@ -74,8 +87,12 @@ void SimulationParts::share_with(Ranks& ranks) {
   stepper.take_own_parts();
 }
 
-TileOwners SimulationParts::even_owners() const {
-  return TileOwners::ranges(share->owners.tiles(), share->ranks.size(), share->ranks.rank());
+TileOwners SimulationParts::balanced_owners(double weight) const {
+  std::vector<double> work(share->owners.tiles(), -std::numeric_limits<double>::infinity());
+  for (const std::uint32_t tile : share->owners.own())
+    work[tile] = weight * double(work_in(contacts, BodyTiles(particles.size()), tile));
+  share->ranks.combine(work, {});
+  return TileOwners::ranges(work, share->ranks.size(), share->ranks.rank());
 }
 
 void SimulationParts::deal_tiles(TileOwners next) {
@@ -90,13 +107,28 @@ void SimulationParts::deal_tiles(TileOwners next) {
   forces.update_pairs(particles, contacts, reads_of(laws), boundaries.planes().size(), *threads);
   if (with_forces && forces.columns() > 0) forces.pair_forces() = std::move(of_pairs);
   stepper.take_own_parts();
+  share->busy = 0;
 }
 
 void SimulationParts::deal_after_search() {
   share->dealt_after = neighbours.rebuilds();
-  if (!share->ranks.deals_at_random()) return;
-  deal_tiles(TileOwners::at_random(share->owners.tiles(), share->ranks.size(), share->ranks.rank(),
-                                   share->dealt_after));
+  if (share->ranks.deals_at_random())
+    return deal_tiles(TileOwners::at_random(share->owners.tiles(), share->ranks.size(), share->ranks.rank(),
+                                            share->dealt_after));
+  const auto [most, mean] = busy_ranks();
+  if (most < least_measured || most < largest_imbalance * mean) return;
+  double work = 0;
+  for (const std::uint32_t tile : share->owners.own())
+    work += double(work_in(contacts, BodyTiles(particles.size()), tile));
+  // A rank without tiles has measured nothing, and none depends on its weight.
+  deal_tiles(balanced_owners(work > 0 ? share->busy / work : 1));
+}
+
+SimulationParts::Busy SimulationParts::busy_ranks() const {
+  double most = share->busy;
+  std::int64_t sum = std::int64_t(1e9 * share->busy);
+  share->ranks.combine({&most, 1}, {&sum, 1});
+  return {most, 1e-9 * double(sum) / share->ranks.size()};
 }
 
 void SimulationParts::send_bodies(const RowRoutes& routes) {
