@@ -2,12 +2,15 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
-#include <scree/column.hpp>
+#include <scree/body_column.hpp>
 #include <scree/strided.hpp>
 
 namespace scree {
+
+struct BodyRange;
 
 // Rotation of each body since the start of a run: in 2D an angle (rad), not reduced to one turn; in 3D a unit
 // quaternion (w, x, y, z). Carried only by scenes with a law or probe that reads it.
@@ -15,8 +18,9 @@ class Orientations {
  public:
   // Carries nothing.
   Orientations() = default;
-  // No body has turned yet.
+  // Room for bodies; and of bodies that have not turned yet.
   Orientations(int dimension, std::size_t bodies);
+  void set_unturned();
 
   explicit operator bool() const { return components_ > 0; }
   int components() const { return components_; }  // 1 or 4; 0 if not carried
@@ -32,7 +36,7 @@ class Orientations {
   void rotate(const Vectors<const double>& spin, double time, std::size_t begin, std::size_t end);
 
   // Moves the bodies in memory, see Particles::rearrange.
-  void rearrange(const std::vector<std::uint32_t>& from);
+  void rearrange(const std::vector<std::uint32_t>& from, std::span<const BodyRange> kept);
   // See Particles::copy_in_scene_order.
   void copy_in_scene_order(const class BodyOrder& order, Orientations& copy) const;
 
@@ -45,7 +49,7 @@ class Orientations {
  private:
   int components_ = 0;
   std::size_t size_ = 0;
-  Column<double> values_;  // (bodies, stride)
+  BodyColumn<double> values_;  // (bodies, stride)
 };
 
 }  // namespace scree

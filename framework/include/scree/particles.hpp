@@ -6,15 +6,17 @@
 #include <string>
 #include <vector>
 
+#include <scree/body_column.hpp>
 #include <scree/body_group.hpp>
 #include <scree/body_order.hpp>
-#include <scree/column.hpp>
 #include <scree/domain.hpp>
 #include <scree/orientations.hpp>
 #include <scree/plugin/vec.hpp>
 #include <scree/strided.hpp>
 
 namespace scree {
+
+struct BodyRange;
 
 // One body (particle) of a scene; in 2D z components and the x and y components of the spin are 0.
 struct Body {
@@ -55,10 +57,12 @@ class Particles {
     int first, last;
   };
 
-  // What a scene carries besides positions and velocities.
+  // What a scene carries besides positions and velocities, and whether bodies are fixed, or held in part.
   struct Features {
-    bool spin = false, images = false, orientations = false;
+    bool spin = false, images = false, orientations = false, fixed = false, held = false;
   };
+  // Room for bodies, which takes up no memory before it is written.
+  Particles(int dimension, const Features& features, std::size_t bodies);
 
   Particles(int dimension, const Features& features, const std::vector<Body>& bodies);
 
@@ -119,7 +123,7 @@ class Particles {
   const double* loads() const { return loads_.data(); }
   std::size_t width() const { return record::width(dimension_, has_spin_); }
   std::size_t load_width() const { return record::load_width(dimension_, has_spin_); }
-  void set_load_rows(std::size_t rows) { loads_.resize(rows * load_width()); }
+  void set_load_rows(std::size_t rows) { resize_with_room(loads_, rows * load_width()); }
 
   // The present state; all else follows from the bodies with which these were made. mid_step: velocities of
   // mid-step are kept too.
@@ -127,13 +131,21 @@ class Particles {
 
   // Where the bodies are in memory; all views and columns are by place.
   const BodyOrder& order() const { return order_; }
-  // Moves the bodies in memory: each place takes the body at the place `from[place]`.
-  void rearrange(const std::vector<std::uint32_t>& from);
+  // Moves the bodies in memory: each place takes the body at the place `from[place]`. Only the bodies of
+  // these ranges of places are kept.
+  void rearrange(const std::vector<std::uint32_t>& from, std::span<const BodyRange> kept);
   // Copies rearranged bodies to where each is at the place of its number, into an earlier copy of them.
   void copy_in_scene_order(Particles& copy) const;
 
-  // Sends the state of bodies to other ranks.
+  // Sends the state of bodies to other ranks; and what is constant.
   void send(class Ranks& ranks, const class RowRoutes& routes);
+  void send_constants(class Ranks& ranks, const class RowRoutes& routes);
+  // Calls visit(column, width) for all columns with constants: records and what is listed below.
+  template <class Visit>
+  void each_constant(const Visit& visit) {
+    visit(records_, width());
+    visit(mass, 1), visit(inertia, 1), visit(id, 1), visit(material, 1), visit(fixed, 1), visit(held, 1);
+  }
 
   // Moves the bodies to centres (m) without jumps at periodic faces, at rest and without loads.
   void come_to_rest(std::span<const Vec3> centres, const Domain& domain);
@@ -141,14 +153,14 @@ class Particles {
   // Advanced with the mid-step spin; carried only if the scene needs them.
   Orientations orientations;
 
-  Column<std::int32_t> image[3];  // net periods crossed along each axis; empty without periodic axes
+  BodyColumn<std::int32_t> image[3];  // net periods crossed along each axis; empty without periodic axes
 
   // Constant during a run.
-  Column<double> mass, inertia;  // (kg), (kg m²); inertia is empty without spin
-  Column<std::int64_t> id;
-  Column<std::uint32_t> material;
-  Column<std::uint8_t> fixed;  // 1 for fixed bodies, 0 for others; empty if none is fixed
-  Column<freedom::Mask> held;  // held components of bodies that are not fixed; empty if none is held
+  BodyColumn<double> mass, inertia;  // (kg), (kg m²); inertia is empty without spin
+  BodyColumn<std::int64_t> id;
+  BodyColumn<std::uint32_t> material;
+  BodyColumn<std::uint8_t> fixed;  // 1 for fixed bodies, 0 for others; empty if none is fixed
+  BodyColumn<freedom::Mask> held;  // held components of bodies that are not fixed; empty if none is held
   bool is_fixed(std::size_t i) const { return !fixed.empty() && fixed[i]; }
   bool is_held(std::size_t i, int component) const {
     return is_fixed(i) || (!held.empty() && freedom::is_in(held[i], component));
@@ -176,7 +188,7 @@ class Particles {
   int dimension_;
   bool has_spin_;
   BodyOrder order_;
-  Column<double> records_, loads_;
+  BodyColumn<double> records_, loads_;
 };
 
 }  // namespace scree

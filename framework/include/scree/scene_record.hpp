@@ -42,6 +42,7 @@ std::vector<Body> bodies_at_start(const State& state);
 
 // The groups that move or load bodies.
 std::vector<BodyGroup> groups_of(const State& state);
+std::vector<BodyGroup> groups_of(const State& state, std::size_t bodies);  // of a state without bodies
 std::vector<BodySelection> selections_of(const State& state);
 
 // What a run that goes on takes from its state in place of the tables of bodies. Throws Error as

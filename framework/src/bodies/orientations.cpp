@@ -1,3 +1,5 @@
+#include "bodies/kept_rows.hpp"
+
 #include <cmath>
 
 #include <scree/body_order.hpp>
@@ -73,9 +75,12 @@ void rotate_quaternion(double* body, const Vec3& rotation) {
 
 Orientations::Orientations(int dimension, std::size_t bodies)
     : components_(dimension == 2 ? orientation_components<2> : orientation_components<3>), size_(bodies) {
-  values_.assign(bodies * stride(), 0.0);
-  if (dimension == 3)
-    for (std::size_t i = 0; i < bodies; ++i) values_[i * stride()] = 1;
+  values_.resize(bodies * stride());
+}
+
+void Orientations::set_unturned() {
+  if (components_ == orientation_components<3>)
+    for (std::size_t i = 0; i < size_; ++i) values_[i * stride()] = 1;
 }
 
 void Orientations::rotate(const Vectors<const double>& spin, double time, std::size_t begin,
@@ -104,8 +109,8 @@ void Orientations::transfer(const StateTransfer& state, std::size_t bodies) {
   }
 }
 
-void Orientations::rearrange(const std::vector<std::uint32_t>& from) {
-  rearrange_rows(values_, stride(), from);
+void Orientations::rearrange(const std::vector<std::uint32_t>& from, std::span<const BodyRange> kept) {
+  rearrange_rows(values_, stride(), from, kept);
 }
 
 void Orientations::copy_in_scene_order(const BodyOrder& order, Orientations& copy) const {

@@ -1,3 +1,4 @@
+#include "bodies/kept_rows.hpp"
 #include "ranks/row_routes.hpp"
 
 #include <algorithm>
@@ -7,23 +8,38 @@
 
 namespace scree {
 
-Particles::Particles(int dimension, const Features& features, const std::vector<Body>& bodies)
+Particles::Particles(int dimension, const Features& features, std::size_t n)
     : dimension_(dimension), has_spin_(features.spin) {
-  const std::size_t n = bodies.size();
   // At least one row, so that the addresses of an empty scene are valid too.
-  records_.assign(std::max<std::size_t>(n, 1) * width(), 0.0);
-  loads_.assign(std::max<std::size_t>(n, 1) * load_width(), 0.0);
+  records_.resize(std::max<std::size_t>(n, 1) * width());
+  loads_.resize(std::max<std::size_t>(n, 1) * load_width());
   if (features.orientations) orientations = Orientations(dimension, n);
   if (features.images)
-    for (int k = 0; k < dimension; ++k) image[k].assign(n, 0);
+    for (int k = 0; k < dimension; ++k) image[k].resize(n);
   mass.resize(n);
   if (has_spin_) inertia.resize(n);
   id.resize(n);
   material.resize(n);
-  if (std::any_of(bodies.begin(), bodies.end(), [](const Body& b) { return b.fixed; })) fixed.resize(n);
-  if (std::any_of(bodies.begin(), bodies.end(), [](const Body& b) { return b.held; })) held.resize(n);
+  if (features.fixed) fixed.resize(n);
+  if (features.held) held.resize(n);
+}
 
-  for (std::size_t i = 0; i < n; ++i) {
+namespace {
+
+Particles::Features features_with(Particles::Features features, const std::vector<Body>& bodies) {
+  for (const Body& body : bodies) {
+    features.fixed |= body.fixed;
+    features.held |= body.held != 0;
+  }
+  return features;
+}
+
+}  // namespace
+
+Particles::Particles(int dimension, const Features& features, const std::vector<Body>& bodies)
+    : Particles(dimension, features_with(features, bodies), bodies.size()) {
+  orientations.set_unturned();
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
     const Body& body = bodies[i];
     for (int k = 0; k < dimension; ++k) {
       position()[k][i] = body.position[k];
@@ -82,10 +98,11 @@ void Particles::each_column(One& one, Other& other, const Visit& visit) {
   visit(one.held, other.held, 1);
 }
 
-void Particles::rearrange(const std::vector<std::uint32_t>& from) {
+void Particles::rearrange(const std::vector<std::uint32_t>& from, std::span<const BodyRange> kept) {
   set_load_rows(std::max<std::size_t>(size(), 1));
-  each_column(*this, *this, [&](auto& rows, auto&, std::size_t width) { rearrange_rows(rows, width, from); });
-  orientations.rearrange(from);
+  each_column(*this, *this,
+              [&](auto& rows, auto&, std::size_t width) { rearrange_rows(rows, width, from, kept); });
+  orientations.rearrange(from, kept);
   order_ = order_.moved(from);
 }
 
@@ -100,9 +117,15 @@ void Particles::copy_in_scene_order(Particles& copy) const {
 void Particles::send(Ranks& ranks, const RowRoutes& routes) {
   routes.send(ranks, records_.data(), width());
   routes.send(ranks, loads_.data(), load_width());
-  for (Column<std::int32_t>& column : image)
+  for (BodyColumn<std::int32_t>& column : image)
     if (!column.empty()) routes.send(ranks, column.data(), 1);
   if (orientations) routes.send(ranks, orientations.data(), orientations.stride());
+}
+
+void Particles::send_constants(Ranks& ranks, const RowRoutes& routes) {
+  each_constant([&](auto& column, std::size_t width) {
+    if (!column.empty()) routes.send(ranks, column.data(), width);
+  });
 }
 
 void Particles::come_to_rest(std::span<const Vec3> centres, const Domain& domain) {

@@ -67,9 +67,9 @@ void Forces::update_pairs(Particles& particles, const Contacts& contacts, std::u
     work.all_tiles = TileOwners(work.tiles.bodies().count()).own();
   }
   work.tiles.plan(contacts, share_ ? share_->owners.own() : work.all_tiles, planes, threads);
-  work.constants.update(contacts, particles, reads, features_.pair_forces, threads);
   if (share_)
     work.halo->plan(work.tiles, particles, reads & (1u << SCREE_ORIENTATION_A | 1u << SCREE_ORIENTATION_B));
+  work.constants.update(contacts, particles, reads, features_.pair_forces, threads);
   particles.set_load_rows(work.tiles.slots());
   work.tile_sums.assign(work.tiles.tiles().size(), {});
 }

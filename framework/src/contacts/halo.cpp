@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <type_traits>
 
 namespace scree {
 
@@ -124,6 +125,25 @@ void Halo::plan(kernel::Tiles& tiles, Particles& particles, bool orientations) {
 #ifndef NDEBUG
   poison(particles);
 #endif
+  bring_constants(particles);
+}
+
+void Halo::bring_constants(Particles& particles) {
+  particles.each_constant([&](auto& column, std::size_t width) {
+    using Item = std::remove_reference_t<decltype(column[0])>;
+    if (column.empty()) return;
+    std::vector<std::vector<Item>> sent(ranks_.size());
+    for (std::size_t r = 0; r < sent.size(); ++r)
+      for (std::size_t k = places_sent_.first[r]; k < places_sent_.first[r + 1]; ++k) {
+        const Item* const row = column.data() + places_sent_.rows[k] * width;
+        sent[r].insert(sent[r].end(), row, row + width);
+      }
+    const std::vector<std::vector<Item>> received = exchange_items(ranks_, sent);
+    for (std::size_t r = 0; r < received.size(); ++r)
+      for (std::size_t k = places_received_.first[r]; k < places_received_.first[r + 1]; ++k)
+        std::copy_n(received[r].data() + (k - places_received_.first[r]) * width, width,
+                    column.data() + places_received_.rows[k] * width);
+  });
 }
 
 void Halo::poison(Particles& p) const {

@@ -47,6 +47,8 @@ class Halo {
   void agree_on_records(const std::vector<std::vector<kernel::Tiles::Arrival>>& departures);
   void agree_on_loads(const std::vector<std::vector<kernel::Tiles::Arrival>>& departures,
                       kernel::Tiles& tiles);
+  // What pairs need of bodies of other ranks and no step changes.
+  void bring_constants(Particles& particles);
   // Makes the state of bodies of other ranks that no message brings NaN.
   void poison(Particles& particles) const;
   // Numbers of a body in a message.

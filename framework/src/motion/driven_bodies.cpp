@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include <scree/plugin/wall_motion.hpp>
+#include <scree/state_transfer.hpp>
 
 namespace scree {
 
@@ -66,8 +67,12 @@ void DrivenBodies::rearrange(const std::vector<std::uint32_t>& from) {
 
 DrivenBodies::DrivenBodies(const Scene& scene, Particles& particles) {
   const freedom::Mask carried = particles.components();
-  std::vector<freedom::Mask> driven(scene.bodies.size(), 0);
+  std::vector<freedom::Mask> driven(particles.size(), 0);
   for (const BodyGroup& group : scene.groups) add_functions(group, carried, driven);
+  if (scene.bodies.empty()) {
+    held_.entries.clear(), loaded_.entries.clear();
+    return;
+  }
   for (std::uint32_t i = 0; i < scene.bodies.size(); ++i) {
     if (!particles.is_fixed(i) && (particles.held.empty() || !particles.held[i])) continue;
     for (int k = 0; k < freedom::count; ++k) {
@@ -87,6 +92,28 @@ DrivenBodies::DrivenBodies(const Scene& scene, Particles& particles) {
     velocity_of(particles, entry.component, entry.body) = speed;
     mid_velocity_of(particles, entry.component, entry.body) = speed;
   }
+}
+
+void DrivenBodies::Entries::transfer(const StateTransfer& state, std::size_t bodies) {
+  const auto column = [&](const char* name, auto Entry::*member, const StoredRange& range) {
+    std::vector<std::remove_reference_t<decltype(entries[0].*member)>> numbers;
+    for (const Entry& entry : entries) numbers.push_back(entry.*member);
+    state.rows(name, "", numbers, 1, range);
+    if (!state.restoring()) return;
+    entries.resize(numbers.size());
+    for (std::size_t k = 0; k < numbers.size(); ++k) entries[k].*member = numbers[k];
+  };
+  column("body", &Entry::body, stored::finite);
+  column("component", &Entry::component, stored::finite);
+  column("function", &Entry::function, stored::finite);
+  column("speed", &Entry::speed, stored::any);
+  if (state.restoring()) sort(bodies);
+}
+
+void DrivenBodies::transfer(const StateTransfer& state, std::size_t bodies) {
+  held_.transfer(state.below("held"), bodies);
+  loaded_.transfer(state.below("loaded"), bodies);
+  aside_.resize(held_.entries.size());
 }
 
 void DrivenBodies::add_functions(const BodyGroup& group, freedom::Mask carried,

@@ -17,8 +17,11 @@ namespace scree {
 // component, as walls do it, and ∫F v dt of the loads of groups.
 class DrivenBodies {
  public:
-  // Sets the velocities of components that follow a function of time to those at t = 0.
+  // Sets the velocities of components that follow a function of time to those at t = 0. Without the bodies of
+  // the scene nothing is held or loaded before a transfer.
   DrivenBodies(const Scene& scene, Particles& particles);
+  // What is held and loaded, by place.
+  void transfer(const class StateTransfer& state, std::size_t bodies);
 
   // Whether it acts on a body, or on one of a part (see BodyTiles).
   bool any() const { return !held_.entries.empty() || !loaded_.entries.empty(); }
@@ -67,6 +70,7 @@ class DrivenBodies {
     std::vector<std::size_t> first;  // of each part, and the end
 
     void sort(std::size_t bodies);
+    void transfer(const class StateTransfer& state, std::size_t bodies);
     void rearrange(const std::vector<std::uint32_t>& to);
     std::span<const Entry> of(std::size_t part) const {
       return {entries.data() + first[part], first[part + 1] - first[part]};

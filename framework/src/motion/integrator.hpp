@@ -52,7 +52,7 @@ class Integrator {
   // Sends what it keeps of bodies to other ranks.
   virtual void send(Ranks&, const RowRoutes&, std::size_t /*bodies*/) {}
   // Moves the bodies in memory, see Particles::rearrange.
-  virtual void rearrange(const std::vector<std::uint32_t>& /*from*/) {}
+  virtual void rearrange(const std::vector<std::uint32_t>& /*from*/, std::span<const BodyRange> /*kept*/) {}
 };
 
 std::unique_ptr<Integrator> make_integrator(Integration integration);

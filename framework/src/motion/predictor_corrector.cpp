@@ -1,5 +1,6 @@
 #include "motion/predictor_corrector.hpp"
 
+#include "bodies/kept_rows.hpp"
 #include "motion/motion.hpp"
 #include "ranks/row_routes.hpp"
 
@@ -59,7 +60,7 @@ bool PredictorCorrector::finish_step(Particles& particles, double step, BodyRang
 namespace {
 
 // Rows of equal length, one of each body.
-Column<double> in_scene_order(Column<double> derivatives, const BodyOrder& order) {
+BodyColumn<double> in_scene_order(BodyColumn<double> derivatives, const BodyOrder& order) {
   if (order.rearranged()) rearrange_rows(derivatives, derivatives.size() / order.back().size(), order.back());
   return derivatives;
 }
@@ -68,7 +69,7 @@ Column<double> in_scene_order(Column<double> derivatives, const BodyOrder& order
 
 void PredictorCorrector::add_to_hash(StateHash& hash, const BodyOrder& order) const {
   for (const auto* column : {&second_, &third_, &fourth_}) {
-    const Column<double> derivatives = in_scene_order(*column, order);
+    const BodyColumn<double> derivatives = in_scene_order(*column, order);
     hash.add(derivatives.data(), derivatives.size());
   }
 }
@@ -76,8 +77,8 @@ void PredictorCorrector::add_to_hash(StateHash& hash, const BodyOrder& order) co
 // Terms h²/2 x", h³/6 x‴ and h⁴/24 x⁗: lengths for translations, angles for rotations. Bodies are restored
 // before they are rearranged.
 void PredictorCorrector::transfer(const StateTransfer& state, const BodyOrder& order) {
-  const auto transfer_column = [&](const char* name, Column<double>& column) {
-    Column<double> derivatives = in_scene_order(column, order);
+  const auto transfer_column = [&](const char* name, BodyColumn<double>& column) {
+    BodyColumn<double> derivatives = in_scene_order(column, order);
     state.sized_rows(name, "m or rad", derivatives, 4);
     if (state.restoring()) column = std::move(derivatives);
   };
@@ -102,10 +103,10 @@ void PredictorCorrector::send(Ranks& ranks, const RowRoutes& routes, std::size_t
   }
 }
 
-void PredictorCorrector::rearrange(const std::vector<std::uint32_t>& from) {
+void PredictorCorrector::rearrange(const std::vector<std::uint32_t>& from, std::span<const BodyRange> kept) {
   if (from.empty()) return;
   for (auto* column : {&second_, &third_, &fourth_})
-    rearrange_rows(*column, column->size() / from.size(), from);
+    rearrange_rows(*column, column->size() / from.size(), from, kept);
 }
 
 }  // namespace scree

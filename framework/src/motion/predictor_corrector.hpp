@@ -20,11 +20,11 @@ class PredictorCorrector : public Integrator {
   void add_to_hash(StateHash& hash, const BodyOrder& order) const override;
   void transfer(const StateTransfer& state, const BodyOrder& order) override;
   void send(Ranks& ranks, const RowRoutes& routes, std::size_t bodies) override;
-  void rearrange(const std::vector<std::uint32_t>& from) override;
+  void rearrange(const std::vector<std::uint32_t>& from, std::span<const BodyRange> kept) override;
 
  private:
   // r_2, r_3, r_4 of each motion, four numbers each.
-  Column<double> second_, third_, fourth_;
+  BodyColumn<double> second_, third_, fourth_;
 };
 
 }  // namespace scree

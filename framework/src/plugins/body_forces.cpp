@@ -16,7 +16,7 @@ scree_column from(Strided<const double> column, std::size_t body) {
   if (column.empty()) return {nullptr, 0};
   return {column.data() + body * column.stride(), column.stride()};
 }
-scree_column from(const Column<double>& column, std::size_t body) {
+scree_column from(const BodyColumn<double>& column, std::size_t body) {
   return from(Strided<const double>(column.data(), 1, column.size()), body);
 }
 scree_load_column loads_from(Strided<double> column, std::size_t body) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bodies/body_range.hpp"
+#include "ranks/messages.hpp"
 #include "ranks/rank_share.hpp"
 
 #include <cstdint>
@@ -22,6 +23,17 @@ class NearBodies {
   // Brings the listed bodies to where they are now. The tiles must belong to the same ranks, and the bodies
   // be at the same places.
   void update(RankShare& share, std::span<const Sphere> bodies);
+
+  // Brings a property of the listed bodies of other ranks to their places.
+  template <class Item>
+  void bring(RankShare& share, Item* items) const {
+    std::vector<std::vector<Item>> sent(sent_.size());
+    for (std::size_t r = 0; r < sent_.size(); ++r)
+      for (const std::uint32_t place : sent_[r]) sent[r].push_back(items[place]);
+    const std::vector<std::vector<Item>> received = exchange_items(share.ranks, sent);
+    for (std::size_t r = 0; r < received_.size(); ++r)
+      for (std::size_t k = 0; k < received_[r].size(); ++k) items[places_[received_[r][k]]] = received[r][k];
+  }
 
   const std::vector<Sphere>& spheres() const { return spheres_; }       // in the order of their places
   const std::vector<std::uint32_t>& places() const { return places_; }  // of each

@@ -1,5 +1,6 @@
 #include "search/neighbour_list.hpp"
 
+#include "bodies/kept_rows.hpp"
 #include "ranks/bodies_near.hpp"
 #include "ranks/rank_sums.hpp"
 #include "ranks/row_routes.hpp"
@@ -231,20 +232,23 @@ std::vector<std::uint32_t> NeighbourList::own_tiles(std::size_t bodies) const {
   return all;
 }
 
-const std::vector<NeighbourPair>& NeighbourList::find_pairs(double moved, const Particles& particles,
+const std::vector<NeighbourPair>& NeighbourList::find_pairs(double moved, Particles& particles,
                                                             const Domain& domain, ThreadPool& threads) {
   if (!share_) return search_.find(bodies_at_search_, particles.dimension(), domain, skin_, moved, threads);
-  find_own_pairs(moved, particles.dimension(), domain, threads);
+  find_own_pairs(moved, particles, domain, threads);
   return own_pairs_;
 }
 
-void NeighbourList::find_own_pairs(double moved, int dimension, const Domain& domain, ThreadPool& threads) {
+void NeighbourList::find_own_pairs(double moved, Particles& particles, const Domain& domain,
+                                   ThreadPool& threads) {
   // In skins; candidates of repeated searches usually reach as far.
   constexpr double near_reach = 5, least_near_reach = 2;
   near_covered_ -= 2 * moved;
   if (!(near_covered_ > least_near_reach * skin_)) {
     near_covered_ = near_reach * skin_;
     near_.find(*share_, bodies_at_search_, domain, near_covered_);
+    near_.bring(*share_, particles.material.data());
+    if (!particles.fixed.empty()) near_.bring(*share_, particles.fixed.data());
     moved = std::numeric_limits<double>::infinity();
   } else {
     near_.update(*share_, bodies_at_search_);
@@ -253,7 +257,7 @@ void NeighbourList::find_own_pairs(double moved, int dimension, const Domain& do
   own_pairs_.clear();
   const std::vector<std::uint32_t>& places = near_.places();
   for (const NeighbourPair& pair :
-       search_.find(near_.spheres(), dimension, domain, skin_, moved, threads, near_covered_))
+       search_.find(near_.spheres(), particles.dimension(), domain, skin_, moved, threads, near_covered_))
     if (share_->owners.is_own(tiles.owner(places[pair.a])))
       own_pairs_.push_back({places[pair.a], places[pair.b], pair.image});
 }
@@ -292,15 +296,15 @@ std::vector<std::uint32_t> NeighbourList::order_in_space(int dimension) {
 
 void NeighbourList::send(const RowRoutes& routes) { routes.send(share_->ranks, bodies_at_search_.data(), 1); }
 
-void NeighbourList::rearrange(const std::vector<std::uint32_t>& from) {
-  rearrange_rows(bodies_at_search_, 1, from);
+void NeighbourList::rearrange(const std::vector<std::uint32_t>& from, std::span<const BodyRange> kept) {
+  rearrange_rows(bodies_at_search_, 1, from, kept);
   better_order_.clear();
   near_covered_ = 0;
 }
 
 // In scene order.
 void NeighbourList::transfer_bodies(const StateTransfer& state, const BodyOrder& order) {
-  Column<Sphere> bodies = bodies_at_search_;
+  BodyColumn<Sphere> bodies = bodies_at_search_;
   if (order.rearranged()) rearrange_rows(bodies, 1, order.back());
   double* const first = bodies.empty() ? nullptr : bodies[0].position.component;
   state.vectors("position_at_search", "m", {first, sizeof(Sphere) / sizeof(double), bodies.size(), 0, 3}, 0,
@@ -321,13 +325,14 @@ void NeighbourList::transfer(const StateTransfer& state, const Particles& partic
                              const Boundaries& boundaries) {
   transfer_but_bodies(state, particles, boundaries);
   transfer_bodies(state, particles.order());
+  for (std::size_t i = 0; state.restoring() && i < particles.size(); ++i)
+    bodies_at_search_[i].radius = particles.radius()[i];
 }
 
 void NeighbourList::transfer_but_bodies(const StateTransfer& state, const Particles& particles,
                                         const Boundaries& boundaries) {
   if (state.restoring()) {
     bodies_at_search_.resize(particles.size());
-    for (std::size_t i = 0; i < particles.size(); ++i) bodies_at_search_[i] = {{}, particles.radius()[i]};
     planes_at_search_ = boundaries.planes();
     absent_at_search_ = boundaries.absent();
   }

@@ -55,7 +55,7 @@ class NeighbourList {
   // Sends bodies at the last search to other ranks.
   void send(const class RowRoutes& routes);
   // Moves the bodies in memory, see Particles::rearrange; a search must follow.
-  void rearrange(const std::vector<std::uint32_t>& from);
+  void rearrange(const std::vector<std::uint32_t>& from, std::span<const BodyRange> kept);
 
   // After tiles have been dealt to ranks.
   void forget_near_bodies() { near_covered_ = 0; }
@@ -92,17 +92,17 @@ class NeighbourList {
   // Tiles of this rank, in order.
   std::vector<std::uint32_t> own_tiles(std::size_t bodies) const;
   Ranks* ranks() const { return share_ ? &share_->ranks : nullptr; }
-  const std::vector<NeighbourPair>& find_pairs(double moved, const Particles& particles, const Domain& domain,
+  const std::vector<NeighbourPair>& find_pairs(double moved, Particles& particles, const Domain& domain,
                                                ThreadPool& threads);
   // Pairs of the tiles of this rank.
-  void find_own_pairs(double moved, int dimension, const Domain& domain, ThreadPool& threads);
+  void find_own_pairs(double moved, Particles& particles, const Domain& domain, ThreadPool& threads);
 
   RepeatedSearch search_;
   NearBodies near_;          // of several ranks
   double near_covered_ = 0;  // skin (m) within which no body is missing there
   std::vector<NeighbourPair> own_pairs_;
   double body_travel_ = 0, plane_travel_ = 0;  // (m) bounds of the displacement since the last search
-  Column<Sphere> bodies_at_search_;            // bodies at the last search
+  BodyColumn<Sphere> bodies_at_search_;        // bodies at the last search
   std::vector<scree_plane> planes_at_search_;
   std::vector<std::uint8_t> absent_at_search_;
   std::uint64_t rebuilds_ = 0;

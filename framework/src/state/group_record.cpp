@@ -43,12 +43,13 @@ void save_groups(const StateTransfer& state, const std::vector<BodyGroup>& group
   }
 }
 
-std::vector<BodyGroup> groups_of(const State& state) {
+std::vector<BodyGroup> groups_of(const State& state) { return groups_of(state, recorded_ids(state).size()); }
+
+std::vector<BodyGroup> groups_of(const State& state, std::size_t bodies) {
   const StateTransfer scene = StateTransfer::restoring_from(state).below("scene");
   if (!scene.has(group_names)) return {};
   std::vector<std::string> names;
   scene.rows(group_names, "", names);
-  const std::size_t bodies = recorded_ids(state).size();
   std::vector<BodyGroup> groups(names.size());
   for (std::size_t g = 0; g < groups.size(); ++g) {
     groups[g].name = names[g];

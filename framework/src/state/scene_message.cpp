@@ -29,15 +29,16 @@ Parameters parameters_in(const RecordedPlugin& recorded, scree_kind kind, Plugin
 
 }  // namespace
 
-State message_of(const Scene& scene) {
+State message_of(const Scene& scene, const BodyFacts& bodies) {
   State message;
   const StateTransfer to = StateTransfer::saving_to(message);
   save_scene(to.below("scene"), scene);
-  save_bodies_at_start(to, scene);
+  BodyFacts facts = bodies;
+  facts.transfer(to.below("facts"));
   std::vector<std::uint32_t> materials;
   for (const Scene::Boundary& boundary : scene.boundaries) materials.push_back(boundary.material);
   to.rows("boundary_materials", "", materials);
-  Scene rest = scene;
+  Scene rest = scene;  // is const otherwise
   transfer_rest(to.below("rest"), rest);
   return message;
 }
@@ -51,8 +52,7 @@ Scene scene_of(const State& message, PluginHost& host) {
   recorded.rows("materials", "", scene.materials);
   recorded.rows("law_of", "", scene.law_of, std::max<std::size_t>(1, scene.materials.size()));
   transfer_rest(from.below("rest"), scene);
-  scene.bodies = bodies_at_start(message);
-  scene.groups = groups_of(message);
+  scene.groups = groups_of(message, facts_in(message).count);
   for (const RecordedPlugin& law : recorded_laws(message))
     scene.laws.push_back({law.name, parameters_in(law, SCREE_CONTACT_LAW, host)});
   std::vector<std::uint32_t> materials;
@@ -63,6 +63,12 @@ Scene scene_of(const State& message, PluginHost& host) {
   for (const RecordedPlugin& force : recorded_body_forces(message))
     scene.body_forces.push_back({force.name, parameters_in(force, SCREE_BODY_FORCE, host)});
   return scene;
+}
+
+BodyFacts facts_in(const State& message) {
+  BodyFacts facts;
+  facts.transfer(StateTransfer::restoring_from(message).below("facts"));
+  return facts;
 }
 
 }  // namespace scree

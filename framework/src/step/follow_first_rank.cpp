@@ -50,11 +50,12 @@ Change change_of(const Entries& entries, const Lines& lines) {
 // One simulation on a rank that follows.
 class Follower {
  public:
-  Follower(const Scene& scene, Ranks& ranks, const std::function<bool()>& is_interrupted)
-      : ranks_(ranks), simulation_(std::make_unique<SimulationParts>(scene)) {
+  Follower(const Scene& scene, const BodyFacts& bodies, Ranks& ranks,
+           const std::function<bool()>& is_interrupted)
+      : ranks_(ranks), simulation_(std::make_unique<SimulationParts>(scene, bodies)) {
     const State shared = received_state(ranks);
-    parts_.transfer_shared(StateTransfer::restoring_from(shared));
     parts_.share_with(ranks);
+    parts_.transfer_shared(StateTransfer::restoring_from(shared));
     parts_.share->is_interrupted = is_interrupted;
     parts_.deal_tiles(parts_.balanced_owners(1));
   }
@@ -142,9 +143,10 @@ void follow_first_rank(Ranks& ranks, PluginHost& host, unsigned threads,
   for (;;) {
     const ReceivedCommand received = receive_command(ranks);
     if (received.command == RankCommand::leave) return;
-    Scene scene = scene_of(received_state(ranks), host);
+    const State message = received_state(ranks);
+    Scene scene = scene_of(message, host);
     scene.threads = threads;
-    Follower(scene, ranks, is_interrupted).follow(RankCommand::end);
+    Follower(scene, facts_in(message), ranks, is_interrupted).follow(RankCommand::end);
   }
 }
 

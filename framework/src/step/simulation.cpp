@@ -57,7 +57,7 @@ bool without_exception(const Simulation& s, const Step& step) {
 }
 
 // Σ w v² over bodies, in order within each tile.
-double sum_of_squares(const Vectors<const double>& v, Particles::Axes axes, const Column<double>& weight,
+double sum_of_squares(const Vectors<const double>& v, Particles::Axes axes, const BodyColumn<double>& weight,
                       const std::optional<RankShare>& share) {
   const BodyTiles tiles(weight.size());
   std::vector<double> sums(tiles.count(), 0);

@@ -30,14 +30,12 @@ bool turns(const BodyGroup& group) {
   return false;
 }
 
-bool needs_spin(const Scene& scene) {
-  const bool spinning = std::any_of(scene.bodies.begin(), scene.bodies.end(),
-                                    [](const Body& b) { return !(b.spin == Vec3{}); });
+bool needs_spin(const Scene& scene, const BodyFacts& bodies) {
   const bool turning = std::any_of(scene.laws.begin(), scene.laws.end(), [&](const Scene::Law& law) {
     return exerts_torque(law.parameters, scene.dimension);
   });
   const bool driven = std::any_of(scene.groups.begin(), scene.groups.end(), turns);
-  return scene.spin || scene.orientations || spinning || turning || driven;
+  return scene.spin || scene.orientations || bodies.any_spins || turning || driven;
 }
 
 bool needs_orientations(const Scene& scene) {
@@ -46,39 +44,36 @@ bool needs_orientations(const Scene& scene) {
          });
 }
 
-double mean_radius(const Scene& scene) {
-  double sum = 0;
-  for (const Body& body : scene.bodies) sum += body.radius;
-  return sum / std::max(1.0, double(scene.bodies.size()));
+double skin_of(const Scene& scene, const BodyFacts& bodies) {
+  return scene.skin > 0 ? scene.skin : 0.1 * bodies.mean_radius;
 }
-
-double skin_of(const Scene& scene) { return scene.skin > 0 ? scene.skin : 0.1 * mean_radius(scene); }
 
 // Upper limit of the skin (m); 0 if the scene gives a fixed skin. A periodic length must be at least twice
 // the largest reach.
-double max_skin_of(const Scene& scene, const Domain& domain) {
+double max_skin_of(const Scene& scene, const BodyFacts& bodies, const Domain& domain) {
   if (scene.skin > 0) return 0;
-  double max_skin = 0.5 * mean_radius(scene), largest = 0;
-  for (const Body& body : scene.bodies) largest = std::max(largest, body.radius);
+  double max_skin = 0.5 * bodies.mean_radius;
   for (int k = 0; k < 3; ++k)
-    if (domain.periodic[k]) max_skin = std::min(max_skin, 0.5 * domain.length(k) - 2 * largest);
-  return std::max(max_skin, skin_of(scene));
+    if (domain.periodic[k]) max_skin = std::min(max_skin, 0.5 * domain.length(k) - 2 * bodies.largest_radius);
+  return std::max(max_skin, skin_of(scene, bodies));
 }
 
-double smallest_radius_of(const Scene& scene) {
-  double smallest = std::numeric_limits<double>::infinity();
-  for (const Body& body : scene.bodies) smallest = std::min(smallest, body.radius);
-  return smallest;
-}
-
-double speed_limit_of(const Scene& scene) {
+double speed_limit_of(const Scene& scene, const BodyFacts& bodies, const Boundaries& boundaries) {
   if (scene.limits.speed > 0) return scene.limits.speed;
-  return smallest_radius_of(scene) / scene.step + norm(drift_velocity(scene));
+  return bodies.smallest_radius / scene.step + (boundaries.planes().empty() ? norm(bodies.drift) : 0);
 }
 
-unsigned threads_of(const Scene& scene) {
-  const std::size_t useful = scene.bodies.size() / std::max<std::size_t>(1, scene.min_bodies_per_thread);
+unsigned threads_of(const Scene& scene, const BodyFacts& bodies) {
+  const std::size_t useful = bodies.count / std::max<std::size_t>(1, scene.min_bodies_per_thread);
   return unsigned(std::clamp<std::size_t>(useful, 1, std::max(1u, scene.threads)));
+}
+
+Particles::Features features_of(const Scene& scene, const BodyFacts& bodies, bool periodic) {
+  return {.spin = needs_spin(scene, bodies),
+          .images = periodic,
+          .orientations = needs_orientations(scene),
+          .fixed = bodies.any_fixed,
+          .held = bodies.any_held};
 }
 
 // Empty pair groups: for each law, pairs of bodies and, in a scene with walls, pairs with planes.
@@ -102,17 +97,21 @@ bool depends_on_orientations(const Parameters& law, int dimension) {
 }
 
 SimulationParts::SimulationParts(const Scene& given)
-    : scene(checked(given)),
-      boundaries(boundaries_of(scene)),
+    : SimulationParts(checked(given), facts_of(given.bodies, given.dimension)) {
+  particles =
+      Particles(scene.dimension, features_of(scene, facts, boundaries.domain().any_periodic()), scene.bodies);
+  driven = DrivenBodies(scene, particles);
+}
+
+SimulationParts::SimulationParts(const Scene& given, const BodyFacts& bodies)
+    : scene(given),
+      facts(bodies),
+      boundaries(scene.boundaries, scene.dimension, facts.bounds),
       body_forces(scene.body_forces, scene.dimension, scene.audit),
-      particles(scene.dimension,
-                {.spin = needs_spin(scene),
-                 .images = boundaries.domain().any_periodic(),
-                 .orientations = needs_orientations(scene)},
-                scene.bodies),
+      particles(scene.dimension, features_of(scene, facts, boundaries.domain().any_periodic()), facts.count),
       driven(scene, particles),
       law_of(scene.law_of),
-      neighbours(skin_of(scene), max_skin_of(scene, boundaries.domain()),
+      neighbours(skin_of(scene, facts), max_skin_of(scene, facts, boundaries.domain()),
                  {.law_of = law_of.data(), .materials = std::uint32_t(scene.materials.size())}),
       forces({.dimension = scene.dimension,
               .spin = particles.has_spin(),
@@ -120,9 +119,8 @@ SimulationParts::SimulationParts(const Scene& given)
               .audit = scene.audit,
               .pair_forces = scene.pair_forces}),
       integrator(make_integrator(scene.integration)),
-      threads(std::make_unique<ThreadPool>(threads_of(scene))),
-      smallest_radius(smallest_radius_of(scene)),
-      speed_limit(speed_limit_of(scene)),
+      threads(std::make_unique<ThreadPool>(threads_of(scene, facts))),
+      speed_limit(speed_limit_of(scene, facts, boundaries)),
       lengths_at_start(enclosed_lengths(boundaries, scene.dimension)),
       stepper(*this) {
   configure_laws();
@@ -170,17 +168,20 @@ void SimulationParts::transfer_order(const StateTransfer& bodies) {
 }
 
 void SimulationParts::rearrange(const std::vector<std::uint32_t>& from) {
-  particles.rearrange(from);
+  // The first rank knows the constants of all bodies.
+  const std::vector<BodyRange> all = {{0, particles.size()}};
+  const std::vector<BodyRange> kept = share && share->is_first() ? all : own_places();
+  particles.rearrange(from, kept);
   driven.rearrange(from);
-  integrator->rearrange(from);
+  integrator->rearrange(from, kept);
   contacts.rearrange(from);
-  neighbours.rearrange(from);
+  neighbours.rearrange(from, kept);
   forget_copies();
 }
 
 void SimulationParts::sort_bodies() {
   const std::vector<std::uint32_t> from = neighbours.better_order();
-  if (share) send_bodies(RowRoutes::to_places(*share, BodyTiles(particles.size()), from));
+  if (share) send_bodies_for_good(RowRoutes::to_places(*share, BodyTiles(particles.size()), from));
   rearrange(from);
   PairColumns nothing;
   if (share) contacts.send_to_owners(share->ranks, share->owners, nothing, 0);
@@ -232,7 +233,7 @@ void SimulationParts::check_returning_walls(const std::string& name, const Param
   State present;
   boundaries.transfer(StateTransfer::saving_to(present), mid_step);
   in_scene_order();  // brings the bodies of other ranks
-  Boundaries changed = boundaries_of(scene);
+  Boundaries changed(scene.boundaries, scene.dimension, facts.bounds);
   changed.transfer(StateTransfer::restoring_from(present), mid_step);
   changed.reconfigure(name, parameters, stepper.time(), going_on);
   check_appeared(particles, changed, boundaries.absent());

@@ -2,6 +2,7 @@
 
 #include "audit/energy_audit.hpp"
 #include "audit/momentum_audit.hpp"
+#include "bodies/body_facts.hpp"
 #include "contacts/contacts.hpp"
 #include "contacts/displaced_loads.hpp"
 #include "contacts/forces.hpp"
@@ -32,6 +33,8 @@ namespace scree {
 struct SimulationParts {
   // Throws Error for an invalid scene. Evaluates no forces.
   explicit SimulationParts(const Scene& scene);
+  // Of a scene without its bodies, which come from another rank; see transfer_shared.
+  SimulationParts(const Scene& scene, const BodyFacts& bodies);
 
   // Configures the laws of the scene again. Throws Error if a law needs what the scene does not carry.
   void configure_laws();
@@ -49,6 +52,8 @@ struct SimulationParts {
   void transfer_order(const class StateTransfer& bodies);
   // Moves the bodies in memory, see Particles::rearrange; a search must follow.
   void rearrange(const std::vector<std::uint32_t>& from);
+  // Places of bodies that this process moves: all, or of the tiles of this rank.
+  std::vector<BodyRange> own_places() const;
   // Sorts the bodies in space if a search has found that many neighbours are distant in memory.
   void keep_neighbours_near() {
     if (!neighbours.better_order().empty()) sort_bodies();
@@ -73,6 +78,7 @@ struct SimulationParts {
   };
   Busy busy_ranks() const;
   void send_bodies(const RowRoutes& routes);
+  void send_bodies_for_good(const RowRoutes& routes);  // with what is constant
   // Give the first rank the state of all bodies, all pairs.
   void gather_bodies();
   void gather_pairs();
@@ -101,6 +107,7 @@ struct SimulationParts {
   Ranks* ranks() const { return share ? &share->ranks : nullptr; }
 
   Scene scene;
+  BodyFacts facts;                 // of the bodies at the start
   std::optional<RankShare> share;  // if several ranks compute the scene
   std::vector<ConfiguredLaw> configured_laws;
   std::vector<LawInstance> laws;
@@ -122,7 +129,6 @@ struct SimulationParts {
   EnergyAudit audit;
   MomentumAudit momentum_audit;
 
-  double smallest_radius;                       // (m)
   double speed_limit;                           // (m/s) above which the run is stopped as a blow-up
   Vec3 lengths_at_start;                        // (m) see Simulation::lengths
   std::vector<std::string> taken_over, let_go;  // see Simulation

@@ -43,7 +43,7 @@ void Simulation::share_with(Ranks* ranks) {
   if (!ranks) return;
   SimulationParts& p = *parts_;
   send_command(*ranks, RankCommand::begin);
-  broadcast_state(*ranks, message_of(p.scene));
+  broadcast_state(*ranks, message_of(p.scene, p.facts));
   State shared;
   p.transfer_shared(StateTransfer::saving_to(shared));
   broadcast_state(*ranks, shared);
@@ -74,13 +74,13 @@ FirstRank::~FirstRank() {
 void SimulationParts::transfer_shared(const StateTransfer& state) {
   transfer_common(state);
   transfer_order(state.below("bodies"));
+  driven.transfer(state.below("driven"), particles.size());
   neighbours.transfer_but_bodies(state.below("neighbours"), particles, boundaries);
 }
 
 void SimulationParts::share_with(Ranks& ranks) {
   const std::size_t tiles = BodyTiles(particles.size()).count();
   share.emplace(RankShare{ranks, TileOwners(std::vector<std::uint32_t>(tiles, 0), ranks.rank())});
-  share->dealt_after = neighbours.rebuilds();
   neighbours.share_with_ranks(*share, [this] { forces.bring_bodies_of_others(particles); });
   forces.share_with_ranks(*share);
   displaced_loads.reset();
@@ -96,12 +96,13 @@ TileOwners SimulationParts::balanced_owners(double weight) const {
 }
 
 void SimulationParts::deal_tiles(TileOwners next) {
-  send_bodies(RowRoutes::to_owners(*share, BodyTiles(particles.size()), next));
+  send_bodies_for_good(RowRoutes::to_owners(*share, BodyTiles(particles.size()), next));
   // After a search the forces are of other pairs, and an evaluation follows.
   bool with_forces = forces.are_of(contacts);
   share->ranks.broadcast(std::as_writable_bytes(std::span(&with_forces, 1)));
   PairColumns of_pairs = with_forces ? forces.pair_forces() : PairColumns();
   contacts.send_to_owners(share->ranks, next, of_pairs, with_forces ? forces.columns() : 0);
+  share->dealt_after = neighbours.rebuilds();
   share->owners = std::move(next);
   neighbours.forget_near_bodies();
   forces.update_pairs(particles, contacts, reads_of(laws), boundaries.planes().size(), *threads);
@@ -135,6 +136,18 @@ void SimulationParts::send_bodies(const RowRoutes& routes) {
   particles.send(share->ranks, routes);
   integrator->send(share->ranks, routes, particles.size());
   neighbours.send(routes);
+}
+
+void SimulationParts::send_bodies_for_good(const RowRoutes& routes) {
+  particles.send_constants(share->ranks, routes);
+  send_bodies(routes);
+}
+
+std::vector<BodyRange> SimulationParts::own_places() const {
+  if (!share) return {{0, particles.size()}};
+  std::vector<BodyRange> places;
+  for (const std::uint32_t tile : share->owners.own()) places.push_back(BodyTiles(particles.size())[tile]);
+  return places;
 }
 
 void SimulationParts::gather_bodies() {

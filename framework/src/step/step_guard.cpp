@@ -1,3 +1,4 @@
+#include "bodies/body_facts.hpp"
 #include "contacts/contacts.hpp"
 #include "plugins/body_forces.hpp"
 #include "walls/boundaries.hpp"
@@ -163,13 +164,7 @@ void add_motion(const Simulation& s, std::vector<StepLimit>& limits) {
 }  // namespace
 
 Vec3 drift_velocity(const Scene& scene) {
-  const bool any_held =
-      std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const Body& b) { return b.fixed || b.held; });
-  if (any_held || !boundaries_of(scene).planes().empty()) return {};
-  double mass = 0;
-  Vec3 momentum = {};
-  for (const Body& body : scene.bodies) mass += body.mass, momentum += body.mass * body.velocity;
-  return mass > 0 ? (1 / mass) * momentum : Vec3{};
+  return boundaries_of(scene).planes().empty() ? drift_of(scene.bodies) : Vec3{};
 }
 
 double expected_speed(const Scene& scene) {

@@ -308,8 +308,12 @@ void Stepper::rotate(BodyRange bodies, const Moves& moves) {
     orientations.rotate(p.mid_spin(), (mid_step ? 0.5 : 1.0) * *moves.begin, bodies.begin, bodies.end);
 }
 
+void Stepper::clear_loads() {
+  for (const BodyRange& range : parts_.own_places()) Forces::clear(parts_.particles, range);
+}
+
 void Stepper::reevaluate_forces(double elapsed) {
-  Forces::clear(parts_.particles, {0, parts_.particles.size()});
+  clear_loads();
   parts_.driven.plan_finish({time_, 0, time_, 0, false});
   evaluate_forces(elapsed, {});
 }
@@ -317,12 +321,13 @@ void Stepper::reevaluate_forces(double elapsed) {
 void Stepper::synchronise() {
   if (forces_at_ == ForcesAt::end_of_step) return;
   SimulationParts& p = parts_;
-  for (std::size_t i = 0; i < p.particles.size(); ++i) {
-    for (int k = 0; k < p.scene.dimension; ++k)
-      p.particles.mid_velocity()[k][i] = p.particles.velocity()[k][i];
-    for (int k = p.particles.spin_axes().first; k < p.particles.spin_axes().last; ++k)
-      p.particles.mid_spin()[k][i] = p.particles.spin()[k][i];
-  }
+  for (const BodyRange& range : p.own_places())
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      for (int k = 0; k < p.scene.dimension; ++k)
+        p.particles.mid_velocity()[k][i] = p.particles.velocity()[k][i];
+      for (int k = p.particles.spin_axes().first; k < p.particles.spin_axes().last; ++k)
+        p.particles.mid_spin()[k][i] = p.particles.spin()[k][i];
+    }
   const double behind = time_ - force_time_;
   const DrivenBodies::Times times = {time_, 0, force_time_, behind, true};
   p.driven.plan_begin(times);
@@ -331,7 +336,7 @@ void Stepper::synchronise() {
   add_work_of_begun_step();
   p.boundaries.undo_extrapolation();
   begin_walls(behind, 0);
-  Forces::clear(p.particles, {0, p.particles.size()});
+  clear_loads();
   p.driven.plan_finish(times);
   evaluate_forces(behind, {});
   finish_walls(behind);
@@ -357,7 +362,7 @@ bool Stepper::too_deep() const {
 }
 
 bool Stepper::may_become_too_deep(double distance) const {
-  return parts_.contact_sums.max_overlap_ratio + 2 * std::abs(distance) / parts_.smallest_radius >
+  return parts_.contact_sums.max_overlap_ratio + 2 * std::abs(distance) / parts_.facts.smallest_radius >
          parts_.scene.limits.overlap_ratio;
 }
 

@@ -106,6 +106,8 @@ class Stepper {
   PartSums total_of_tile(std::size_t tile) const;
   // Evaluates forces and finishes all parts. Returns whether velocities and spins are finite.
   bool evaluate_forces(double elapsed, const Moves& moves);
+  // Of the bodies that this process moves.
+  void clear_loads();
   // Rotates bodies about the spins with which `moves` has moved them.
   void rotate(BodyRange bodies, const Moves& moves);
   // Audits, body forces and motion of a part, after all its contact loads are summed.

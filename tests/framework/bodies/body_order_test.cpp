@@ -1,3 +1,4 @@
+#include "bodies/body_range.hpp"
 #include "scenes.hpp"
 
 #include <algorithm>
@@ -47,7 +48,7 @@ TEST_CASE("a rearranged body takes all that it has to its new place, and back", 
   const Particles before = p;
   const std::vector<std::uint32_t> from = {3, 1, 4, 0, 2};
   p.set_load_rows(9);
-  p.rearrange(from);
+  p.rearrange(from, std::vector<scree::BodyRange>{{0, 5}});
   const auto check_moved = [&](const Particles& now, const auto& old_place) {
     for (std::size_t i = 0; i < 5; ++i) {
       const std::size_t j = old_place(i);
