@@ -35,6 +35,7 @@ std::vector<std::string> command_of(const campaign::Campaign& c, const CampaignA
   for (const std::string& folder : a.plugins.directories) words.insert(words.end(), {"--plugins", folder});
   words.insert(words.end(), {"--threads", std::to_string(a.threads), "--jobs",
                              std::to_string(std::max(1u, a.jobs)), "--quiet"});
+  if (a.ranks > 0) words.insert(words.end(), {"--ranks", std::to_string(a.ranks)});
   return words;
 }
 
@@ -197,7 +198,9 @@ ExitStatus submit(const campaign::Campaign& c, const CampaignArguments& a,
   {
     CampaignDirectory directory(directory_of(c, a), c, true);
     directory.files().report_lock(report_warning);
-    campaign::SubmissionOptions submission{c.slurm, a.per_task, a.threads * std::max(1u, a.jobs), command};
+    const unsigned jobs = std::max(1u, a.jobs);
+    campaign::SubmissionOptions submission{c.slurm, a.per_task, a.ranks > 0 ? a.ranks * jobs : 1,
+                                           a.ranks > 0 ? a.threads : a.threads * jobs, command};
     if (!a.partition.empty()) submission.site.partition = a.partition;
     if (!a.time.empty()) submission.site.time = a.time;
     submitted = campaign::submit(c, directory, submission, options, host);

@@ -14,7 +14,7 @@ namespace scree::tool {
 struct CampaignArguments {
   std::vector<std::string> files;
   std::string out;
-  unsigned jobs = 0, threads = 1;  // jobs 0: as many as may be used
+  unsigned jobs = 0, threads = 1, ranks = 0;  // jobs 0: as many as may be used; ranks 0: none
   std::vector<std::string> overrides;
   bool list = false, overwrite = false, quiet = false;
   // Of batch systems.

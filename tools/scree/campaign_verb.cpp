@@ -19,8 +19,9 @@ namespace {
 campaign::ExecutionOptions options_of(const CampaignArguments& a, ProgressBar& bar) {
   campaign::ExecutionOptions options;
   options.studies = study_tables();
-  options.jobs = a.jobs ? a.jobs : std::max(1u, allowed_processors() / a.threads);
+  options.jobs = a.jobs ? a.jobs : std::max(1u, allowed_processors() / (a.threads * std::max(1u, a.ranks)));
   options.threads = a.threads;
+  options.ranks = a.ranks;
   options.again = a.overwrite;
   options.plugin_directories = a.plugins.directories;
   options.stop = &watch_for_interrupt();
@@ -58,6 +59,9 @@ campaign::Execution execute_with_bar(const campaign::Campaign& c, campaign::Camp
 }
 
 ExitStatus run_campaign(const campaign::Campaign& c, const CampaignArguments& a, PluginHost& host) {
+  if (a.ranks > 0 && !c.methods.empty())
+    throw Error(
+        fmt::format("{}: spectra are measured by one process each; leave out --ranks", c.source.string()));
   if (a.list) return checked_list(c, a, host);
   if (a.gather) return gather(c, a, host);
   const auto with_bar = [&](auto* action) {
@@ -165,7 +169,12 @@ void add_campaign_verb(CommandLine& line) {
   verb.option("--jobs", a->jobs,
               "Concurrent runs (default: processors that may be used / threads; of a task 1)")
       .between(1, 512);
-  verb.option("--threads", a->threads, "Threads of each run (default 1)").between(1, 1024);
+  verb.option("--threads", a->threads, "Threads of each run, or of each of its ranks (default 1)")
+      .between(1, 1024);
+  verb.option("--ranks", a->ranks,
+              "Processes that compute each run together, started by mpirun, in jobs of Slurm by srun")
+      .between(1, 100000)
+      .shown_as("N");
   verb.option(
           "--set", a->overrides,
           "A line of [set], in place of that of the file; campaign.KEY of [campaign], prepare.KEY of [prepare]")

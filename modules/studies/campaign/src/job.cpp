@@ -24,6 +24,22 @@ std::vector<std::string> run_words(const Job& job, const std::string& directory)
   return words;
 }
 
+// What starts the processes of a run. mpirun kills processes that do not end soon after a signal.
+std::vector<std::string> launcher(const ExecutionOptions& options) {
+  if (options.ranks == 0) return {options.program.string()};
+  // It is another program that follows the link.
+  const std::string program = std::filesystem::canonical(options.program).string();
+  const std::string count = std::to_string(options.ranks);
+  if (std::getenv("SLURM_JOB_ID"))
+    return {"srun",
+            "--mpi=pmix",
+            "--overlap",
+            "--ntasks=" + count,
+            "--cpus-per-task=" + std::to_string(options.threads),
+            program};
+  return {"mpirun", "-n", count, "--mca", "odls_base_sigkill_timeout", "300", program};
+}
+
 constexpr std::size_t longest_problem = 1000;  // (bytes)
 
 // Non-blank lines among the last 8192 bytes.
@@ -41,12 +57,13 @@ std::vector<std::string> last_lines(const std::filesystem::path& log) {
 
 std::vector<std::string> command_of(const Job& job, const std::filesystem::path& directory,
                                     const ExecutionOptions& options) {
-  std::vector<std::string> words = {options.program.string()};
+  std::vector<std::string> words = launcher(options);
   const std::filesystem::path plain = directory.string().starts_with('-') ? "." / directory : directory;
   const std::vector<std::string> verb =
       job.goes_on ? std::vector<std::string>{"resume", plain.string()} : run_words(job, directory.string());
   words.insert(words.end(), verb.begin(), verb.end());
   words.insert(words.end(), {"--threads", std::to_string(options.threads)});
+  if (options.ranks > 0) words.emplace_back("--ranks");
   for (const std::string& plugins : options.plugin_directories)
     words.insert(words.end(), {"--plugins", plugins});
   return words;

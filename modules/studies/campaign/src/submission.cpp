@@ -112,16 +112,17 @@ class Submitter {
     write("gather.sh", fmt::format(fmt::runtime(gather_script), fmt::arg("command", command)));
   }
 
-  std::vector<std::string> words(const std::string& comment, const char* output, unsigned processors) const {
+  std::vector<std::string> words(const std::string& comment, const char* output, unsigned processes,
+                                 unsigned processors) const {
     std::vector<std::string> all = {"--job-name=" + jobs_.name(),
                                     "--comment=" + comment,
                                     "--requeue",
                                     "--open-mode=append",
                                     "--chdir=" + fs::current_path().string(),
                                     fmt::format("--output={}/{}", escaped_pattern(folder_.string()), output),
-                                    "--nodes=1",
-                                    "--ntasks=1",
+                                    fmt::format("--ntasks={}", processes),
                                     fmt::format("--cpus-per-task={}", processors)};
+    if (processes == 1) all.emplace_back("--nodes=1");
     const SlurmTable& site = submission_.site;
     const auto add = [&](const char* option, const std::string& value) {
       if (!value.empty()) all.push_back(fmt::format("--{}={}", option, value));
@@ -142,8 +143,8 @@ class Submitter {
     constexpr const char* warning = "--signal=TERM@60";  // (s) before the limit of time, up to a minute more
     for (const Array& array : arrays_of(tasks, largest_)) {
       std::vector<std::string> all = {warning};
-      for (const std::string& word :
-           words(SubmittedJobs::comment_of(array.first), "%A_%a.txt", submission_.processors))
+      for (const std::string& word : words(SubmittedJobs::comment_of(array.first), "%A_%a.txt",
+                                           submission_.processes, submission_.processors))
         all.push_back(word);
       all.push_back("--array=" + ranges_of(array.elements));
       if (!after.empty()) {
@@ -182,7 +183,7 @@ class Submitter {
   }
 
   void submit_gather() {
-    std::vector<std::string> all = words("scree gather", "gather.txt", 1);
+    std::vector<std::string> all = words("scree gather", "gather.txt", 1, 1);
     std::vector<std::string> after = before_;
     after.insert(after.end(), result_.jobs.begin(), result_.jobs.end());
     std::sort(after.begin(), after.end());

@@ -89,6 +89,24 @@ void check_probes(const scenario::Plan& plan, const Simulation& simulation) {
   }
 }
 
+// Throws Error if a probe has all bodies of a big scene sent to the first rank in every step.
+void check_sent_to_probes(const scenario::Plan& plan) {
+  constexpr double most = 50, bytes_per_body = 250;  // (MB), of state and loads of a sphere with spin
+  const double megabytes = 1e-6 * bytes_per_body * double(plan.scene.bodies.size());
+  for (const scenario::ProbePlan& probe : plan.probes) {
+    const Probe candidate = scenario::configured(probe, plan.scene.dimension);
+    const double every =
+        candidate.observes() ? std::min(probe.every, probe.observe_every.value_or(0)) : probe.every;
+    if (megabytes <= most || every >= 1.5 * plan.scene.step || (candidate.needs() & SCREE_NEEDS_NO_BODIES))
+      continue;
+    throw Error(
+        probe.place,
+        fmt::format("reads all bodies in every step, for which {:.0f} MB go to the first rank each time",
+                    megabytes),
+        "give a longer every, or leave out --ranks");
+  }
+}
+
 // Applies the changes of a stage to laws and body forces; returns whether there are any.
 bool change_scene(const Stage& stage, Scene& scene) {
   bool changed = false;
@@ -118,6 +136,7 @@ void check_later_stages(const scenario::Plan& plan) {
 }  // namespace
 
 std::unique_ptr<Simulation> set_up(const scenario::Plan& plan, unsigned threads, Ranks* ranks) {
+  if (ranks && ranks->size() > 1) check_sent_to_probes(plan);
   auto simulation = make_simulation(plan, threads, ranks);
   if (const auto problem = plan.step_guard ? step_problem(*simulation) : std::nullopt)
     throw problem->at(plan.step_place);

@@ -19,9 +19,11 @@ struct Tally {
 
 struct ExecutionOptions {
   unsigned jobs = 1;     // concurrent runs
-  unsigned threads = 1;  // of each run
-  bool again = false;    // all runs begin anew, also finished ones
-  bool tables = true;    // those in the directory, and its page, are written
+  unsigned threads = 1;  // of each run, or of each of its ranks
+  unsigned ranks =
+      0;  // processes of each run, which mpirun starts, or srun in a job of Slurm; 0: one without
+  bool again = false;  // all runs begin anew, also finished ones
+  bool tables = true;  // those in the directory, and its page, are written
   std::vector<std::string> plugin_directories;
   scenario::StudyTables studies;                           // whose tables the scenario may have
   std::filesystem::path program = "/proc/self/exe";        // called as `scree run` and `scree resume`

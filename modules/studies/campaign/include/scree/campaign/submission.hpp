@@ -11,7 +11,8 @@ namespace scree::campaign {
 struct SubmissionOptions {
   SlurmTable site;                   // of the campaign file and the command line
   std::size_t per_task = 1;          // runs of an element of an array
-  unsigned processors = 1;           // of an element
+  unsigned processes = 1;            // of an element
+  unsigned processors = 1;           // of each
   std::vector<std::string> command;  // of this campaign, to which --task K or --gather is added
 };
 
