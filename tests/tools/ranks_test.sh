@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# scree bench --ranks computes the same state with any number of processes. Skipped (status 77) where there is no mpirun.
+# One scene over the processes that mpirun starts: bytes of results, runs that are killed or stopped, errors. Skipped (status
+# 77) where there is no mpirun.
 # Usage: ranks_test.sh PROGRAM LIBRARY, the companion library that talks MPI or nothing.
 set -u
 
@@ -11,27 +12,75 @@ if mpirun --version | grep -q 'Open MPI'; then
   # More ranks than processors, which ranks that wait leave to the others.
   options=(--oversubscribe --bind-to none --mca mpi_yield_when_idle 1 --allow-run-as-root)
 fi
+box=$(dirname "$0")/ranks/box.toml
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
 failures=0
 fail() { printf '%s\n' "$*"; failures=1; }
 
+over() { timeout 200 mpirun "${options[@]}" -n "$1" "$program" "${@:2}" --ranks; }
 hash_of() { sed -n 's/^state hash \([0-9a-f]*\) .*/\1/p' <<< "$1"; }
-
-# Beads with friction between walls at rest, and a box whose walls move under stress.
-for scene in beads-4096 triaxial-3375; do
-  call=(bench "$scene" --steps 150 --repeats 1)
-  alone=$(hash_of "$("$program" "${call[@]}")")
-  [[ $alone =~ ^[0-9a-f]{16}$ ]] || fail "$scene: no state hash in the output of one process"
-  for ranks in 1 2 3; do
-    output=$(timeout 200 mpirun "${options[@]}" -n "$ranks" "$program" "${call[@]}" --ranks --threads $((ranks % 2 + 1)) 2>&1)
-    [[ $(hash_of "$output") == "$alone" ]] || fail "$scene, $ranks ranks: $output"
+# Whether two runs have the same results.
+same_results() {
+  cmp "$folder/$1/final_state.h5" "$folder/$2/final_state.h5" || return 1
+  for series in "$folder/$1"/series/*.csv; do cmp "$series" "$folder/$2/series/${series##*/}" || return 1; done
+}
+# Waits until a run of two ranks has so many lines of energy; then sends a signal to its last rank.
+signal_last_rank() {
+  for ((k = 0; k < 600; ++k)); do
+    [[ -e $folder/$1/series/energy.csv ]] && (($(wc -l < "$folder/$1/series/energy.csv") >= $2)) && break
+    sleep 0.1
   done
+  kill "-$3" "$(pgrep -f "^$program run .*--out $folder/$1 " | sort -n | tail -1)"
+}
+# mpirun may end before the ranks that it kills.
+wait_for_ranks() {
+  wait "$1"
+  for ((k = 0; k < 300; ++k)); do
+    pgrep -f "^$program run .*--out $folder/$2 " > /dev/null || return 0
+    sleep 0.1
+  done
+}
+
+# Beads with friction between walls at rest.
+call=(bench beads-4096 --steps 150 --repeats 1)
+alone=$(hash_of "$("$program" "${call[@]}")")
+[[ $alone =~ ^[0-9a-f]{16}$ ]] || fail "no state hash in the output of one process"
+for ranks in 1 3; do
+  output=$(over "$ranks" "${call[@]}" --threads $((ranks % 2 + 1)) 2>&1)
+  [[ $(hash_of "$output") == "$alone" ]] || fail "$ranks ranks: $output"
 done
 
+# A box whose walls move under stress, in stages, with probes and pictures.
+short=(--quiet --set stage.prepare.until.at_least=0.01 --set stage.prepare.until.at_most=0.03)
+"$program" run "$box" --out "$folder/alone" "${short[@]}" || fail "one process: status $?"
+over 3 run "$box" --out "$folder/three" "${short[@]}" > "$folder/log" 2>&1 || fail "3 ranks: $(< "$folder/log")"
+same_results alone three || fail "three ranks and one process have other results"
+
+# Stopped by a signal to one rank, or killed, they go on with another number of ranks.
+over 2 run "$box" --out "$folder/stopped" "${short[@]}" > "$folder/log" 2>&1 &
+signal_last_rank stopped 3 USR1
+wait_for_ranks $! stopped
+grep -q '"status": "interrupted"' "$folder/stopped/run.json" || fail "not interrupted by SIGUSR1: $(< "$folder/log")"
+over 3 resume "$folder/stopped" --quiet > "$folder/log" 2>&1 || fail "stopped, on 3 ranks: $(< "$folder/log")"
+same_results alone stopped || fail "a run that was stopped and went on has other results"
+over 2 run "$box" --out "$folder/killed" "${short[@]}" > "$folder/log" 2>&1 &
+signal_last_rank killed 4 KILL
+wait_for_ranks $! killed
+"$program" resume "$folder/killed" --overwrite --quiet || fail "killed, in one process: status $?"
+same_results alone killed || fail "a run that was killed and went on has other results"
+
+# Errors: one line, and the status of one process.
+output=$(over 2 run "$box" --out "$folder/unstable" --quiet --set limits.overlap_ratio=0.001 2>&1)
+status=$?
+((status == 3)) && (($(grep -c '^scree: ' <<< "$output") == 1)) && grep -q 'above the limit' <<< "$output" ||
+  fail "a limit that is exceeded: status $status, $output"
+output=$(over 2 run "$box" --out "$folder/bad" --set time.stp=1 2>&1)
+status=$?
+((status == 2)) && (($(grep -c '^scree: ' <<< "$output") == 1)) && [[ ! -e $folder/bad ]] ||
+  fail "an unknown key: status $status, $output"
 output=$(timeout 60 mpirun "${options[@]}" -n 2 "$program" bench discs-16 --steps 10 2>&1)
 status=$?
-((status == 2)) && grep -q 'started several times by mpirun or srun; give --ranks' <<< "$output" ||
+((status == 2)) && (($(grep -c 'give --ranks' <<< "$output") == 1)) ||
   fail "two processes without --ranks: status $status, $output"
-output=$("$program" bench discs-16 --ranks 2>&1)
-status=$?
-((status == 2)) && grep -q '\-\-ranks needs --steps' <<< "$output" || fail "without --steps: status $status, $output"
 exit $failures

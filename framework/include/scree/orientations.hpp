@@ -18,9 +18,10 @@ class Orientations {
  public:
   // Carries nothing.
   Orientations() = default;
-  // Room for bodies; and of bodies that have not turned yet.
+  // No body has turned yet.
   Orientations(int dimension, std::size_t bodies);
-  void set_unturned();
+  // Room for bodies, which takes up no memory before it is written.
+  static Orientations room_for(int dimension, std::size_t bodies);
 
   explicit operator bool() const { return components_ > 0; }
   int components() const { return components_; }  // 1 or 4; 0 if not carried

@@ -73,14 +73,18 @@ void rotate_quaternion(double* body, const Vec3& rotation) {
 
 }  // namespace
 
-Orientations::Orientations(int dimension, std::size_t bodies)
-    : components_(dimension == 2 ? orientation_components<2> : orientation_components<3>), size_(bodies) {
-  values_.resize(bodies * stride());
-}
-
-void Orientations::set_unturned() {
+Orientations::Orientations(int dimension, std::size_t bodies) {
+  *this = room_for(dimension, bodies);
   if (components_ == orientation_components<3>)
     for (std::size_t i = 0; i < size_; ++i) values_[i * stride()] = 1;
+}
+
+Orientations Orientations::room_for(int dimension, std::size_t bodies) {
+  Orientations room;
+  room.components_ = dimension == 2 ? orientation_components<2> : orientation_components<3>;
+  room.size_ = bodies;
+  room.values_.resize(bodies * room.stride());
+  return room;
 }
 
 void Orientations::rotate(const Vectors<const double>& spin, double time, std::size_t begin,

@@ -13,7 +13,7 @@ Particles::Particles(int dimension, const Features& features, std::size_t n)
   // At least one row, so that the addresses of an empty scene are valid too.
   records_.resize(std::max<std::size_t>(n, 1) * width());
   loads_.resize(std::max<std::size_t>(n, 1) * load_width());
-  if (features.orientations) orientations = Orientations(dimension, n);
+  if (features.orientations) orientations = Orientations::room_for(dimension, n);
   if (features.images)
     for (int k = 0; k < dimension; ++k) image[k].resize(n);
   mass.resize(n);
@@ -38,7 +38,7 @@ Particles::Features features_with(Particles::Features features, const std::vecto
 
 Particles::Particles(int dimension, const Features& features, const std::vector<Body>& bodies)
     : Particles(dimension, features_with(features, bodies), bodies.size()) {
-  orientations.set_unturned();
+  if (orientations) orientations = Orientations(dimension, bodies.size());
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const Body& body = bodies[i];
     for (int k = 0; k < dimension; ++k) {

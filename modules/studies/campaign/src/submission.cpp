@@ -114,15 +114,17 @@ class Submitter {
 
   std::vector<std::string> words(const std::string& comment, const char* output, unsigned processes,
                                  unsigned processors) const {
-    std::vector<std::string> all = {"--job-name=" + jobs_.name(),
-                                    "--comment=" + comment,
-                                    "--requeue",
-                                    "--open-mode=append",
-                                    "--chdir=" + fs::current_path().string(),
-                                    fmt::format("--output={}/{}", escaped_pattern(folder_.string()), output),
-                                    fmt::format("--ntasks={}", processes),
-                                    fmt::format("--cpus-per-task={}", processors)};
+    std::vector<std::string> all = {
+        "--job-name=" + jobs_.name(),
+        "--comment=" + comment,
+        "--requeue",
+        "--open-mode=append",
+        "--chdir=" + fs::current_path().string(),
+        fmt::format("--output={}/{}", escaped_pattern(folder_.string()), output),
+    };
     if (processes == 1) all.emplace_back("--nodes=1");
+    all.push_back(fmt::format("--ntasks={}", processes));
+    all.push_back(fmt::format("--cpus-per-task={}", processors));
     const SlurmTable& site = submission_.site;
     const auto add = [&](const char* option, const std::string& value) {
       if (!value.empty()) all.push_back(fmt::format("--{}={}", option, value));
