@@ -40,7 +40,7 @@ class Simulation {
   // Sets up the scene and evaluates the forces at t = 0. Throws Error for an invalid scene.
   // ranks: that compute it together with this one, the first of them, while they are in follow_first_rank();
   // or null.
-  explicit Simulation(const Scene& scene, Ranks* ranks = nullptr);
+  explicit Simulation(Scene scene, Ranks* ranks = nullptr);
   // Goes on from a state of the same scene, to the same bits as if it had never stopped. The scene has the
   // bodies of the start (see scene_record.hpp) and the parameters of the present stage. Throws Error if the
   // state belongs to another scene.

@@ -3,6 +3,7 @@
 #include "ranks/rank_share.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace scree {
 
@@ -57,11 +58,11 @@ Contacts::Arrived Contacts::exchange_group(Ranks& ranks, const TileOwners& owner
     }
   }
   Arrived arrived;
-  for (const std::vector<SentPair>& of_rank : exchange_items(ranks, pairs))
+  for (const std::vector<SentPair>& of_rank : exchange_items(ranks, std::move(pairs)))
     for (const SentPair& pair : of_rank)
       arrived.pairs.push_back(
           {pair.a, pair.b, std::uint8_t(pair.image), std::uint32_t(arrived.pairs.size())});
-  for (const std::vector<double>& of_rank : exchange_items(ranks, numbers))
+  for (const std::vector<double>& of_rank : exchange_items(ranks, std::move(numbers)))
     arrived.numbers.insert(arrived.numbers.end(), of_rank.begin(), of_rank.end());
   return arrived;
 }

@@ -138,7 +138,7 @@ void Halo::bring_constants(Particles& particles) {
         const Item* const row = column.data() + places_sent_.rows[k] * width;
         sent[r].insert(sent[r].end(), row, row + width);
       }
-    const std::vector<std::vector<Item>> received = exchange_items(ranks_, sent);
+    const std::vector<std::vector<Item>> received = exchange_items(ranks_, std::move(sent));
     for (std::size_t r = 0; r < received.size(); ++r)
       for (std::size_t k = places_received_.first[r]; k < places_received_.first[r + 1]; ++k)
         std::copy_n(received[r].data() + (k - places_received_.first[r]) * width, width,

@@ -30,7 +30,7 @@ class NearBodies {
     std::vector<std::vector<Item>> sent(sent_.size());
     for (std::size_t r = 0; r < sent_.size(); ++r)
       for (const std::uint32_t place : sent_[r]) sent[r].push_back(items[place]);
-    const std::vector<std::vector<Item>> received = exchange_items(share.ranks, sent);
+    const std::vector<std::vector<Item>> received = exchange_items(share.ranks, std::move(sent));
     for (std::size_t r = 0; r < received_.size(); ++r)
       for (std::size_t k = 0; k < received_[r].size(); ++k) items[places_[received_[r][k]]] = received[r][k];
   }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace scree {
@@ -28,7 +29,7 @@ class RowRoutes {
     for (std::size_t r = 0; r < sent_.size(); ++r)
       for (const BodyRange& range : sent_[r])
         outgoing[r].insert(outgoing[r].end(), rows + range.begin * width, rows + range.end * width);
-    const std::vector<std::vector<Item>> incoming = exchange_items(ranks, outgoing);
+    const std::vector<std::vector<Item>> incoming = exchange_items(ranks, std::move(outgoing));
     for (std::size_t r = 0; r < received_.size(); ++r) {
       const Item* next = incoming[r].data();
       for (const BodyRange& range : received_[r]) {

@@ -50,9 +50,8 @@ Change change_of(const Entries& entries, const Lines& lines) {
 // One simulation on a rank that follows.
 class Follower {
  public:
-  Follower(const Scene& scene, const BodyFacts& bodies, Ranks& ranks,
-           const std::function<bool()>& is_interrupted)
-      : ranks_(ranks), simulation_(std::make_unique<SimulationParts>(scene, bodies)) {
+  Follower(Scene scene, const BodyFacts& bodies, Ranks& ranks, const std::function<bool()>& is_interrupted)
+      : ranks_(ranks), simulation_(std::make_unique<SimulationParts>(std::move(scene), bodies)) {
     const State shared = received_state(ranks);
     parts_.share_with(ranks);
     parts_.transfer_shared(StateTransfer::restoring_from(shared));
@@ -146,7 +145,7 @@ void follow_first_rank(Ranks& ranks, PluginHost& host, unsigned threads,
     const State message = received_state(ranks);
     Scene scene = scene_of(message, host);
     scene.threads = threads;
-    Follower(scene, facts_in(message), ranks, is_interrupted).follow(RankCommand::end);
+    Follower(std::move(scene), facts_in(message), ranks, is_interrupted).follow(RankCommand::end);
   }
 }
 

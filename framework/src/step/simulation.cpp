@@ -10,6 +10,7 @@
 #include <bit>
 #include <cmath>
 #include <new>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -75,7 +76,8 @@ double sum_of_squares(const Vectors<const double>& v, Particles::Axes axes, cons
 
 }  // namespace
 
-Simulation::Simulation(const Scene& scene, Ranks* ranks) : parts_(std::make_unique<SimulationParts>(scene)) {
+Simulation::Simulation(Scene scene, Ranks* ranks)
+    : parts_(std::make_unique<SimulationParts>(std::move(scene))) {
   SimulationParts& p = *parts_;
   p.search_neighbours();
   without_exception(*this, [&] { return p.stepper.reevaluate_forces(0), start_springs(), true; });

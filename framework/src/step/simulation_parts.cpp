@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -96,15 +97,15 @@ bool depends_on_orientations(const Parameters& law, int dimension) {
   return kernel::reads_orientations(ConfiguredLaw(law, dimension, no_bounds, no_bounds).instance());
 }
 
-SimulationParts::SimulationParts(const Scene& given)
-    : SimulationParts(checked(given), facts_of(given.bodies, given.dimension)) {
+SimulationParts::SimulationParts(Scene given)
+    : SimulationParts(std::move(given), facts_of(checked(given).bodies, given.dimension)) {
   particles =
       Particles(scene.dimension, features_of(scene, facts, boundaries.domain().any_periodic()), scene.bodies);
   driven = DrivenBodies(scene, particles);
 }
 
-SimulationParts::SimulationParts(const Scene& given, const BodyFacts& bodies)
-    : scene(given),
+SimulationParts::SimulationParts(Scene&& given, const BodyFacts& bodies)
+    : scene(std::move(given)),
       facts(bodies),
       boundaries(scene.boundaries, scene.dimension, facts.bounds),
       body_forces(scene.body_forces, scene.dimension, scene.audit),

@@ -32,9 +32,9 @@ namespace scree {
 // The parts of a simulation, in the order in which they are constructed.
 struct SimulationParts {
   // Throws Error for an invalid scene. Evaluates no forces.
-  explicit SimulationParts(const Scene& scene);
+  explicit SimulationParts(Scene scene);
   // Of a scene without its bodies, which come from another rank; see transfer_shared.
-  SimulationParts(const Scene& scene, const BodyFacts& bodies);
+  SimulationParts(Scene&& scene, const BodyFacts& bodies);
 
   // Configures the laws of the scene again. Throws Error if a law needs what the scene does not carry.
   void configure_laws();

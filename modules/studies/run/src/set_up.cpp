@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -16,9 +17,8 @@ namespace scree::run {
 namespace {
 
 // A simulation of a scene, from the state with which the plan begins if there is one.
-std::unique_ptr<Simulation> simulation_of(const scenario::Plan& plan, const Scene& scene,
-                                          Ranks* ranks = nullptr) {
-  if (!plan.from_state) return std::make_unique<Simulation>(scene, ranks);
+std::unique_ptr<Simulation> simulation_of(const scenario::Plan& plan, Scene scene, Ranks* ranks = nullptr) {
+  if (!plan.from_state) return std::make_unique<Simulation>(std::move(scene), ranks);
   return std::make_unique<Simulation>(scene, *plan.from_state, plan.branching, ranks);
 }
 
@@ -27,7 +27,7 @@ std::unique_ptr<Simulation> make_simulation(const scenario::Plan& plan, unsigned
   Scene scene = scene_in_stage(plan.scene, plan.stages, 0);
   scene.threads = threads;
   try {
-    return simulation_of(plan, scene, ranks);
+    return simulation_of(plan, std::move(scene), ranks);
   } catch (const Error& error) {
     // Errors of the scene as a whole concern either the bodies or, as bad input, a periodic length.
     const bool of_bodies = error.status() != ExitStatus::bad_input || plan.periodic_place.empty() ||
