@@ -83,4 +83,9 @@ output=$(timeout 60 mpirun "${options[@]}" -n 2 "$program" bench discs-16 --step
 status=$?
 ((status == 2)) && (($(grep -c 'give --ranks' <<< "$output") == 1)) ||
   fail "two processes without --ranks: status $status, $output"
+# As started by mpirun of another MPI.
+output=$(PMI_SIZE=2 PMI_RANK=0 "$program" run "$box" --out "$folder/other" --ranks 2>&1)
+status=$?
+((status == 2)) && grep -q 'do not find each other' <<< "$output" && [[ ! -e $folder/other ]] ||
+  fail "mpirun of another MPI: status $status, $output"
 exit $failures

@@ -1,4 +1,5 @@
 #include "foreign_exit.hpp"
+#include "over_ranks.hpp"
 #include "program_verbs.hpp"
 #include "studies.hpp"
 #include "support/program.hpp"
@@ -20,6 +21,7 @@ void open_closed_descriptors() {
 }
 
 ExitStatus main_of(int argc, char** argv) {
+  if (refuses_tasks(argc, argv)) return ExitStatus::bad_input;
   const auto do_study = [argc, argv] { return run_study(argc, argv); };
   return run_program(argc, argv, [&](CommandLine& line) {
     add_run_verb(line);

@@ -1,6 +1,10 @@
 #include "over_ranks.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
+#include <string_view>
+#include <vector>
 
 #include <scree/error.hpp>
 #include <scree/follow_first_rank.hpp>
@@ -14,19 +18,36 @@ void add_ranks_option(Verb& verb, bool& over_ranks) {
             "One scene over the processes that mpirun or srun has started; results have the same bits");
 }
 
+bool refuses_tasks(int argc, char** argv) {
+  constexpr std::string_view writing[] = {"run",   "resume",       "bench",    "campaign", "spectrum",
+                                          "modes", "quasi-static", "accuracy", "cycles"};
+  const std::vector<std::string_view> words(argv + std::min(argc, 1), argv + argc);
+  if (words.empty() || std::find(std::begin(writing), std::end(writing), words[0]) == std::end(writing))
+    return false;
+  const bool asked = std::find(words.begin(), words.end(), "--ranks") != words.end();
+  if ((asked && words[0] != "campaign") || !ranks::is_one_of_several_tasks()) return false;
+  if (ranks::is_first_task())
+    report(
+        "the program was started several times by mpirun or srun; give --ranks to run, resume or bench one "
+        "scene together, or start it once",
+        ExitStatus::bad_input);
+  return true;
+}
+
 ExitStatus do_over_ranks(const OverRanks& options, const std::function<ExitStatus(Ranks*)>& work) {
-  if (!options.asked) {
-    if (!ranks::is_one_of_several_tasks()) return work(nullptr);
+  if (!options.asked) return work(nullptr);
+  const std::atomic<bool>& interrupted = watch_for_interrupt();  // before mpirun passes signals on
+  const std::unique_ptr<Ranks> all = ranks::join_ranks();
+  if (all->size() == 1 && ranks::is_one_of_several_tasks()) {
     if (!ranks::is_first_task()) return ExitStatus::bad_input;
     throw Error(
-        "the program was started several times by mpirun or srun; give --ranks to compute one scene together");
+        "the processes that mpirun or srun has started do not find each other; use mpirun of the MPI with which "
+        "the program was built (modules/README.md), or srun --mpi=pmix");
   }
-  const std::unique_ptr<Ranks> all = ranks::join_ranks();
   if (all->rank() == 0) {
     const FirstRank leads(all.get());
     return work(all.get());
   }
-  const std::atomic<bool>& interrupted = watch_for_interrupt();
   PluginHost host = make_host(options.plugins);
   follow_first_rank(*all, host, options.threads, [&] { return interrupted.load(); });
   return ExitStatus::success;
