@@ -25,19 +25,27 @@ same_results() {
   cmp "$folder/$1/final_state.h5" "$folder/$2/final_state.h5" || return 1
   for series in "$folder/$1"/series/*.csv; do cmp "$series" "$folder/$2/series/${series##*/}" || return 1; done
 }
+# Numbers of the ranks of a run, the last one last.
+ranks_of() {
+  local process words
+  for process in /proc/[0-9]*; do
+    [[ $process/exe -ef $program ]] || continue
+    mapfile -d '' -t words < "$process/cmdline" && [[ " ${words[*]} " == *" --out $folder/$1 "* ]] && echo "${process#/proc/}"
+  done 2> /dev/null | sort -n
+}
 # Waits until a run of two ranks has so many lines of energy; then sends a signal to its last rank.
 signal_last_rank() {
   for ((k = 0; k < 600; ++k)); do
     [[ -e $folder/$1/series/energy.csv ]] && (($(wc -l < "$folder/$1/series/energy.csv") >= $2)) && break
     sleep 0.1
   done
-  kill "-$3" "$(pgrep -f "^$program run .*--out $folder/$1 " | sort -n | tail -1)"
+  kill "-$3" "$(ranks_of "$1" | tail -1)"
 }
-# mpirun may end before the ranks that it kills.
+# mpirun may end before the ranks that it kills, and these keep their lock for a moment.
 wait_for_ranks() {
   wait "$1"
   for ((k = 0; k < 300; ++k)); do
-    pgrep -f "^$program run .*--out $folder/$2 " > /dev/null || return 0
+    [[ -n $(ranks_of "$2") ]] || { sleep 1; return 0; }
     sleep 0.1
   done
 }
