@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <barrier>
+#include <cstdint>
 #include <cstring>
 #include <exception>
 #include <functional>
@@ -74,7 +75,8 @@ class RankThreads {
       for (unsigned rank = size(); rank-- > 0;) {
         const Given& of = all_.given_[rank];
         for (std::size_t k = 0; k < largest.size(); ++k) largest[k] = std::max(largest[k], of.largest[k]);
-        for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += of.sums[k];
+        for (std::size_t k = 0; k < sums.size(); ++k)
+          sums[k] = std::int64_t(std::uint64_t(sums[k]) + std::uint64_t(of.sums[k]));
       }
       all_.meeting_.arrive_and_wait();
     }
