@@ -13,8 +13,8 @@
 
 namespace scree {
 
-// The bodies among which a rank finds the pairs of its tiles: its own, and bodies of later tiles of other ranks
-// that may be near.
+// The bodies among which a rank finds the pairs of its tiles: its own, and bodies of later tiles of other
+// ranks that may be near.
 class NearBodies {
  public:
   // Lists the bodies that may be within the skin (m) of this rank's. bodies: by place, current for this

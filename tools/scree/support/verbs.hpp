@@ -40,9 +40,9 @@ void add_checkpoint_option(Verb& verb, std::string& text);
 // The wall time (s) that an option gives; nothing for "never". Throws Error "<option>: ...".
 std::optional<double> wall_time_option(const char* option, const std::string& text);
 
-// Set from now on by the first Ctrl-C, end of a batch job (SIGTERM, SIGUSR1) or closed terminal (SIGHUP): what
-// runs saves what it has and ends. Ctrl-C more than a second later ends the program at once. Signals that were
-// ignored at the start stay so.
+// Set from now on by the first Ctrl-C, end of a batch job (SIGTERM, SIGUSR1) or closed terminal (SIGHUP):
+// what runs saves what it has and ends. Ctrl-C more than a second later ends the program at once. Signals
+// that were ignored at the start stay so.
 const std::atomic<bool>& watch_for_interrupt();
 
 }  // namespace scree::tool
