@@ -44,7 +44,7 @@ std::vector<std::size_t> moving_numbers(const Particles& p) {
   return numbers;
 }
 
-// The numbers of a load, without those that are always 0.
+// The numbers of a load that are not always 0.
 std::vector<std::size_t> load_numbers(const Particles& p) {
   return p.dimension() == 3 && p.has_spin() ? components({0, 4}) : components({0});
 }

@@ -18,7 +18,7 @@ namespace {
 // which sorting would gain nothing.
 constexpr double worn_ratio = 1.1, least_worn_share = 0.1;
 
-// Pairs of each tile of a group, of which each rank lists those of its own.
+// Number of pairs of each tile of a group; each rank lists the pairs of its tiles.
 std::vector<std::int64_t> pairs_of_tiles(const PairGroup& group, Ranks* ranks) {
   std::vector<std::int64_t> pairs;
   for (const PairRun& run : group.runs) pairs.push_back(std::int64_t(run.end - run.begin));
