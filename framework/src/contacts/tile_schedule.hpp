@@ -4,6 +4,7 @@
 #include "contacts/kernel/evaluate.hpp"
 #include "contacts/kernel/tiles.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstdint>
@@ -55,19 +56,20 @@ class TileSchedule {
       after_evaluation(tiles, tile, worker, finish_part);
     };
     halo.begin_records(particles);
-    each(order.reading,
-         [&](std::uint32_t tile, unsigned worker) { evaluate(tile, worker, TilePairs::inside); });
-    each(order.before_loads, all_of_tile);
+    each(order.before_records, all_of_tile);
+    each(order.split, [&](std::uint32_t tile, unsigned worker) { evaluate(tile, worker, TilePairs::inside); });
     halo.finish_records(particles);
-    each(order.reading, [&](std::uint32_t tile, unsigned worker) {
+    each(order.split, [&](std::uint32_t tile, unsigned worker) {
       evaluate(tile, worker, TilePairs::crossing);
       after_evaluation(tiles, tile, worker, finish_part);
     });
+    each(order.reading, all_of_tile);
     halo.begin_loads(particles);
     each(order.kept, all_of_tile);
     halo.finish_loads(particles);
     for (const std::uint32_t tile : order.loaded) pending_[tile].fetch_sub(1, std::memory_order_relaxed);
-    each(own,
+    const std::vector<std::uint32_t> last_first(own.rbegin(), own.rend());
+    each(last_first,
          [&](std::uint32_t tile, unsigned worker) { finish_if_ready(tiles, tile, worker, finish_part); });
     return busy;
   }
@@ -124,30 +126,41 @@ class TileSchedule {
       tiles.bodies().each_part(tile, [&](std::size_t part) { finish_part(part, worker); });
   }
 
-  // Tiles of a rank in the order of their evaluation: tiles that read bodies of other ranks, tiles that are
-  // evaluated before the loads for other ranks are complete, tiles that are kept until then; and tiles for
-  // which loads of other ranks come.
+  // Tiles of a rank in the order of their evaluation: tiles that read no bodies of other ranks; tiles that do,
+  // of which the pairs inside are evaluated at once; further ones that are evaluated when the records are there;
+  // tiles that are kept until the loads for other ranks are complete. And tiles for which loads come.
   struct ShareOrder {
-    std::vector<std::uint32_t> reading, before_loads, kept, loaded;
+    std::vector<std::uint32_t> before_records, split, reading, kept, loaded;
   };
-  // As many blocks of pairs are evaluated while records come as while loads come, if possible.
+  // A quarter of the blocks of pairs, if possible, is evaluated while records come, and as many while loads
+  // come. A tile that is split is loaded into the cache twice, so that no more of them are split than it takes.
   static ShareOrder order_of_share(const kernel::Tiles& tiles, const std::vector<std::uint32_t>& own,
                                    const Halo& halo) {
+    const auto blocks = [&](std::uint32_t tile) {
+      return tiles.tiles()[tile].last_block - tiles.tiles()[tile].first_block;
+    };
+    std::size_t all = 0, before = 0, kept = 0;
     ShareOrder order;
-    std::size_t all = 0, before = 0;
-    for (const std::uint32_t t : own) {
-      const kernel::Tiles::Tile& tile = tiles.tiles()[t];
-      all += tile.last_block - tile.first_block;
-      if (halo.is_loaded_by_others(t)) order.loaded.push_back(t);
-      if (!halo.reads_others(t)) continue;
-      order.reading.push_back(t);
-      before += tile.first_crossing - tile.first_block;
+    std::vector<std::uint32_t> independent;
+    for (const std::uint32_t tile : own) {
+      all += blocks(tile);
+      if (halo.is_loaded_by_others(tile)) order.loaded.push_back(tile);
+      if (!halo.reads_others(tile)) independent.push_back(tile);
     }
-    for (const std::uint32_t t : own) {
-      if (halo.reads_others(t)) continue;
-      const kernel::Tiles::Tile& tile = tiles.tiles()[t];
-      (2 * before < all ? order.before_loads : order.kept).push_back(t);
-      before += tile.last_block - tile.first_block;
+    std::stable_partition(independent.begin(), independent.end(),
+                          [&](std::uint32_t tile) { return !halo.is_loaded_by_others(tile); });
+    for (; !independent.empty(); independent.pop_back()) {
+      const std::uint32_t tile = independent.back();
+      const bool is_kept = 4 * kept < all;
+      (is_kept ? order.kept : order.before_records).push_back(tile);
+      (is_kept ? kept : before) += blocks(tile);
+    }
+    std::reverse(order.kept.begin(), order.kept.end());
+    std::reverse(order.before_records.begin(), order.before_records.end());
+    for (const std::uint32_t tile : own) {
+      if (!halo.reads_others(tile)) continue;
+      (4 * before < all ? order.split : order.reading).push_back(tile);
+      before += tiles.tiles()[tile].first_crossing - tiles.tiles()[tile].first_block;
     }
     return order;
   }

@@ -10,13 +10,13 @@ PAIR_SHARE = 0.77  # of a step; the rest is for bodies: PERFORMANCE.md, "Where t
 # A body and step where bodies fit into the caches, and where they do not: PERFORMANCE.md, "Larger scenes".
 CACHED_NS, CACHED_BODIES, BODY_NS = 65, 16000, 82
 SENT_NS, RECEIVED_NS, ADDED_NS = 30, 12, 10  # record copied to a message, from one, load added: copies.cpp
-RECORD_BYTES, LOAD_BYTES = 160, 64
+RECORD_BYTES, LOAD_BYTES = 120, 48
 VOTE_BYTES = 20000
 # Rabenseifner's Allreduce, which Open MPI's rules, as SMPI has them, choose for 20 kB and 256 or 1024 ranks.
 # For 64 ranks they choose recursive doubling (0.04 ms, not 0.02), for 128 a ring (0.26 ms, not 0.03).
 ALLREDUCE = "rab_rdb"
 SUM_NS = 0.5  # a number of eight bytes in the vote
-BEFORE = 0.5  # of the pairs inside tiles, while records are on their way; the rest while loads are
+BEFORE = 0.25  # of the pairs inside tiles, while records are on their way; as many while loads are
 
 
 def settings(bodies, changed):
@@ -97,7 +97,7 @@ def predict(path, s, link):
         work.append(1e-9 * (s["body"] * bodies + s["pair"] * (inner + cross)))
         busy.append(work[-1] + 1e-9 * copies + 2 * cluster.OVERHEAD * len(partners))
     hidden = 1e-9 * s["pair"] * statistics.mean(r[1] for r in ranks)
-    before, after = (0, 0) if s["before"] < 0 else (s["before"] * hidden, (1 - s["before"]) * hidden)
+    before, after = (0, 0) if s["before"] < 0 else (s["before"] * hidden, s["before"] * hidden)
     records = exchange_time(ranks, lambda numbers: RECORD_BYTES * numbers[0], True, link)
     loads = exchange_time(ranks, lambda numbers: LOAD_BYTES * numbers[1], False, link)
     random_numbers = random.Random(1)

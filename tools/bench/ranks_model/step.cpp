@@ -5,9 +5,9 @@
 //
 // MESSAGES: as lattice prints them. BODY_NS, PAIR_NS: computing time of a body and of a pair; SENT_NS,
 // RECEIVED_NS: of copying a record that is sent or received; ADDED_NS: of adding a received load. BEFORE:
-// share of the pairs inside tiles that are evaluated before a rank waits for records; the rest follow before
-// it waits for loads. Below 0: it waits for each at once, as where messages make no progress during
-// computation. UNEVENNESS: standard deviation of the computing time of a step, relative.
+// share of the pairs inside tiles that are evaluated before a rank waits for records; as many before it waits
+// for loads, and the rest between. Below 0: it waits for each at once, as where messages make no progress
+// during computation. UNEVENNESS: standard deviation of the computing time of a step, relative.
 
 #include <algorithm>
 #include <array>
@@ -23,7 +23,7 @@
 
 namespace {
 
-constexpr int record_bytes = 160, load_bytes = 64;
+constexpr int record_bytes = 120, load_bytes = 48;
 constexpr double sum_ns = 0.5;  // adding a number of the vote to another
 
 struct Costs {
@@ -75,9 +75,10 @@ class Rank {
     if (before >= 0) compute(slowness * before * costs_.pair * share_.inner);
     wait(records);
     copy(costs_.received * number(&Partner::records, false));
-    compute(slowness * costs_.pair * share_.cross);
+    const double between = before < 0 ? 0 : 1 - 2 * before;
+    compute(slowness * costs_.pair * (share_.cross + between * share_.inner));
     exchange(false);
-    if (before >= 0) compute(slowness * (1 - before) * costs_.pair * share_.inner);
+    if (before >= 0) compute(slowness * before * costs_.pair * share_.inner);
     wait(loads);
     copy(costs_.added * number(&Partner::loads, true));
     if (before < 0) compute(slowness * costs_.pair * share_.inner);
