@@ -96,9 +96,9 @@ BenchResult time_steps(const scenario::Plan& plan, const BenchOptions& options) 
   scene.advance(r.steps);
   r.searches = scene.searches() - r.searches;
   const Simulation& s = scene.simulation();
-  r.particles = s.particles().size();
-  r.contacts = s.contact_list().size();
   const Footprint footprint = s.footprint();
+  r.particles = s.scene().bodies.size();
+  r.contacts = footprint.touching_pairs;
   r.bytes_per_particle = footprint.bytes_per_body;
   r.bytes_per_contact = footprint.bytes_per_pair;
   r.listed_pairs = footprint.listed_pairs;

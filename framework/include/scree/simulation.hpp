@@ -29,6 +29,7 @@ struct Footprint {
   std::size_t degrees_of_freedom, fixed_bodies, held_bodies, bytes_per_body, bytes_per_pair;  // held: in part
   std::uint32_t history_width;  // history columns per pair, the most of any law
   std::size_t listed_pairs;     // of bodies, and of bodies and planes
+  std::size_t touching_pairs;   // of these
   double crossing_share;        // of the listed pairs of bodies, those between two tiles, which take longer
   std::size_t foreign_bodies;   // that ranks read although other ranks have them, summed over ranks
   std::size_t bytes_sent;       // between ranks in an evaluation

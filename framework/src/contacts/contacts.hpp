@@ -95,6 +95,7 @@ class Contacts {
   void send_to_owners(class Ranks& ranks, const class TileOwners& owners, PairColumns& further,
                       std::uint32_t width);
 
+  std::size_t bodies() const { return tiles_.size(); }
   // Number of pairs without padding.
   std::size_t listed() const;
   // Pairs of bodies, and those whose bodies are in different tiles: now, or if the bodies were rearranged.

@@ -30,7 +30,41 @@ void append(std::vector<double>& columns, const Vec3& v) {
   columns.insert(columns.end(), v.component, v.component + 3);
 }
 
+// Where two partners meet: unit vector from b to a, and overlap (m), below 0 if they are apart.
+struct Meeting {
+  Vec3 normal = {};
+  double overlap = 0;
+};
+
+Meeting meeting_of(const Particles& p, const Contacts& contacts, bool with_plane, std::size_t pair,
+                   const std::vector<scree_plane>& planes, const Domain& domain) {
+  const std::uint32_t a = contacts.a[pair], b = contacts.b[pair];
+  Vec3 normal = {};
+  double distance = 0, reach = p.radius()[a];
+  if (with_plane) {
+    for (int k = 0; k < p.dimension(); ++k) normal[k] = planes[b].normal[k];
+    for (int k = 0; k < p.dimension(); ++k)
+      distance += (p.position()[k][a] - planes[b].point[k]) * normal[k];
+  } else {
+    normal = position(p, a) - position(p, b) + domain.shift(contacts.image[pair]);
+    distance = norm(normal);
+    normal = (distance > 0 ? 1 / distance : 0) * normal;
+    reach += p.radius()[b];
+  }
+  return {normal, reach - distance};
+}
+
 }  // namespace
+
+std::size_t count_touching(const Particles& p, const Contacts& contacts,
+                           const std::vector<scree_plane>& planes, const Domain& domain) {
+  std::size_t touching = 0;
+  for (const PairGroup& group : contacts.groups())
+    group.each_pair([&](std::size_t q) {
+      touching += meeting_of(p, contacts, group.planes, q, planes, domain).overlap > 0;
+    });
+  return touching;
+}
 
 ContactList touching_contacts(const Particles& p, const Contacts& contacts, const PairColumns& forces,
                               const std::vector<LawInstance>& laws, const std::vector<scree_plane>& planes,
@@ -41,25 +75,14 @@ ContactList touching_contacts(const Particles& p, const Contacts& contacts, cons
     const int sliding_column = laws[group.law].interface.sliding_column;
     for (const std::size_t q : contacts.in_scene_order(group, order)) {
       const std::uint32_t a = contacts.a[q], b = contacts.b[q];
-      Vec3 normal = {};
-      double distance = 0, reach = p.radius()[a];
-      if (group.planes) {
-        for (int k = 0; k < p.dimension(); ++k) normal[k] = planes[b].normal[k];
-        for (int k = 0; k < p.dimension(); ++k)
-          distance += (p.position()[k][a] - planes[b].point[k]) * normal[k];
-      } else {
-        normal = position(p, a) - position(p, b) + domain.shift(contacts.image[q]);
-        distance = norm(normal);
-        normal = (distance > 0 ? 1 / distance : 0) * normal;
-        reach += p.radius()[b];
-      }
-      if (!(distance < reach) && !(listed == ListedPairs::touching_or_loaded && is_loaded(forces, q)))
+      const auto [normal, overlap] = meeting_of(p, contacts, group.planes, q, planes, domain);
+      if (!(overlap > 0) && !(listed == ListedPairs::touching_or_loaded && is_loaded(forces, q)))
         continue;
       list.a.push_back(order.number(a));
       list.b.push_back(group.planes ? std::uint32_t(p.size()) + b : order.number(b));
       append(list.normal, normal);
       append(list.force, force_of(forces, q));
-      list.overlap.push_back(reach - distance);
+      list.overlap.push_back(overlap);
       list.sliding.push_back(sliding_column >= 0 && group.history_width > std::uint32_t(sliding_column) &&
                              group.history_of(q, std::uint32_t(sliding_column)) > 0);
       list.law.push_back(group.law);

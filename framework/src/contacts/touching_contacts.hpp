@@ -19,4 +19,8 @@ ContactList touching_contacts(const Particles& particles, const Contacts& contac
                               const std::vector<LawInstance>& laws, const std::vector<scree_plane>& planes,
                               const Domain& domain, ListedPairs listed = ListedPairs::touching);
 
+// Number of pairs that touch at the present positions.
+std::size_t count_touching(const Particles& particles, const Contacts& contacts,
+                           const std::vector<scree_plane>& planes, const Domain& domain);
+
 }  // namespace scree

@@ -11,6 +11,7 @@ namespace scree {
 // What the first rank has the other ranks do with it; see follow_first_rank().
 enum class RankCommand : std::uint64_t {
   begin,  // a simulation
+  find_and_evaluate_pairs,
   step_observed,
   step_followed,
   step_by_substeps,
@@ -19,6 +20,7 @@ enum class RankCommand : std::uint64_t {
   gather_pairs,
   sum_energies,
   count_pairs,
+  add_histories,
   change_law,
   change_boundary,
   change_body_force,

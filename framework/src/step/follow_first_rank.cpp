@@ -11,6 +11,7 @@
 #include <scree/follow_first_rank.hpp>
 #include <scree/scene_record.hpp>
 #include <scree/simulation.hpp>
+#include <scree/state_hash.hpp>
 #include <scree/state_transfer.hpp>
 
 namespace scree {
@@ -84,6 +85,8 @@ class Follower {
         return void(parts_.stepper.step(Stepper::Next::follows));
       case RankCommand::step_by_substeps:
         return step_by_substeps();
+      case RankCommand::find_and_evaluate_pairs:
+        return parts_.find_and_evaluate_pairs();
       case RankCommand::gather_bodies:
         return parts_.gather_bodies();
       case RankCommand::gather_pairs:
@@ -92,9 +95,16 @@ class Follower {
         return void(simulation_.energy());
       case RankCommand::count_pairs:
         return void(parts_.count_pairs());
+      case RankCommand::add_histories:
+        return add_histories();
       default:
         return as_first_rank([&] { change(command, lines); });
     }
+  }
+
+  void add_histories() {
+    StateHash of_nothing;
+    parts_.add_histories(of_nothing);
   }
 
   void step_by_substeps() {

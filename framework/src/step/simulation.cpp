@@ -76,14 +76,16 @@ double sum_of_squares(const Vectors<const double>& v, Particles::Axes axes, cons
 
 }  // namespace
 
+// Ranks find the pairs of their own bodies, but springs of a file need all pairs.
 Simulation::Simulation(Scene scene, Ranks* ranks)
-    : parts_(std::make_unique<SimulationParts>(std::move(scene))) {
+    : Simulation(std::make_unique<SimulationParts>(std::move(scene))) {
   SimulationParts& p = *parts_;
-  p.search_neighbours();
-  without_exception(*this, [&] { return p.stepper.reevaluate_forces(0), start_springs(), true; });
+  const bool share_early = ranks && p.scene.springs.empty();
+  if (share_early) share_with(ranks);
+  without_exception(*this, [&] { return p.find_and_evaluate_pairs(), start_springs(), true; });
   start_audits();
   check_health(p.stepper.initial_state_is_sound());
-  share_with(ranks);
+  if (!share_early) share_with(ranks);
 }
 
 Simulation::Simulation(const Scene& scene, const State& state, Ranks* ranks) {
@@ -272,7 +274,7 @@ double Simulation::min_steps_per_contact() const {
 Footprint Simulation::footprint() const {
   const Particles& p = parts_->particles;
   parts_->command(RankCommand::count_pairs);
-  const auto [listed, crossing, foreign, sent] = parts_->count_pairs();
+  const auto [listed, touching, crossing, foreign, sent] = parts_->count_pairs();
   std::uint32_t width = 0;
   for (const LawInstance& law : parts_->laws) width = std::max(width, law.interface.history_width);
   const std::size_t spins = std::size_t(p.spin_axes().last - p.spin_axes().first);
@@ -288,6 +290,7 @@ Footprint Simulation::footprint() const {
           .bytes_per_pair = parts_->forces.bytes_per_pair() + width * sizeof(double),
           .history_width = width,
           .listed_pairs = listed,
+          .touching_pairs = touching,
           .crossing_share = crossing.share(),
           .foreign_bodies = foreign,
           .bytes_sent = sent};

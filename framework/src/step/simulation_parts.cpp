@@ -189,16 +189,28 @@ void SimulationParts::sort_bodies() {
   neighbours.rebuild(particles, boundaries, contacts, *threads);
 }
 
+void SimulationParts::find_and_evaluate_pairs() {
+  command(RankCommand::find_and_evaluate_pairs);
+  search_neighbours();
+  stepper.reevaluate_forces(0);
+  if (share) deal_tiles(balanced_owners(1));
+}
+
 void SimulationParts::search_neighbours() {
   neighbours.rebuild(particles, boundaries, contacts, *threads);
   keep_neighbours_near();
 }
 
-Particles& SimulationParts::in_scene_order() {
+Particles& SimulationParts::bodies_by_place() {
   if (share && !bodies_are_gathered) {
     command(RankCommand::gather_bodies);
     gather_bodies();
   }
+  return particles;
+}
+
+Particles& SimulationParts::in_scene_order() {
+  bodies_by_place();
   if (!particles.order().rearranged()) return particles;
   if (copy_is_current) return *copy_in_scene_order;
   if (!copy_in_scene_order) copy_in_scene_order = particles;

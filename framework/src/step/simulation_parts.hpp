@@ -49,6 +49,8 @@ struct SimulationParts {
   // Moves bodies, walls and contacts to their places in a packing at rest.
   void come_to_rest(const RestingPacking& packing);
   void search_neighbours();
+  // For a simulation without pairs: the first search and evaluation.
+  void find_and_evaluate_pairs();
   void transfer_order(const class StateTransfer& bodies);
   // Moves the bodies in memory, see Particles::rearrange; a search must follow.
   void rearrange(const std::vector<std::uint32_t>& from);
@@ -84,19 +86,23 @@ struct SimulationParts {
   void gather_pairs();
   // Listed pairs of all ranks, of these the pairs of bodies; see Footprint.
   struct PairCounts {
-    std::size_t listed;
+    std::size_t listed, touching;
     CrossingPairs of_bodies;
     std::size_t foreign_bodies, bytes_sent;
   };
-  PairCounts count_pairs() const;
+  PairCounts count_pairs();
   void command_change(RankCommand command, const std::string& name, const Parameters& parameters,
                       const std::vector<std::string>& going_on) const;
   // Has the other ranks do something, if this is the first of several.
   void command(RankCommand command, const std::vector<std::string>& lines = {}) const {
     if (share && share->is_first()) send_command(share->ranks, command, lines);
   }
+  // The state of all bodies.
+  Particles& bodies_by_place();
   // The bodies in the order of the scene: a copy if they are rearranged, valid until something moves them.
   Particles& in_scene_order();
+  // What laws keep of all pairs, for the first rank.
+  void add_histories(class StateHash& hash);
   // See Simulation.
   void check_returning_walls(const std::string& name, const Parameters& parameters,
                              const std::vector<std::string>& going_on);

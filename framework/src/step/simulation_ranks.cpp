@@ -1,3 +1,4 @@
+#include "contacts/history_hash.hpp"
 #include "ranks/row_routes.hpp"
 #include "state/scene_message.hpp"
 #include "state/state_bytes.hpp"
@@ -173,11 +174,22 @@ SimulationParts::Pairs SimulationParts::all_pairs() {
   return {*gathered_contacts, gathered_forces};
 }
 
-SimulationParts::PairCounts SimulationParts::count_pairs() const {
+void SimulationParts::add_histories(StateHash& hash) {
+  // Threads that save a state may not send messages, and have gathered the pairs before.
+  if (pairs_are_gathered) return scree::add_histories(hash, *gathered_contacts, particles.order(), nullptr);
+  command(RankCommand::add_histories);
+  scree::add_histories(hash, contacts, particles.order(), share ? &*share : nullptr);
+}
+
+SimulationParts::PairCounts SimulationParts::count_pairs() {
+  if (share) forces.bring_bodies_of_others(particles);
   std::int64_t listed = std::int64_t(contacts.listed());
+  std::int64_t touching =
+      std::int64_t(count_touching(particles, contacts, boundaries.planes(), boundaries.domain()));
   CrossingPairs of_bodies = contacts.crossing();
   RankSums sums(ranks());
   sums.total(listed);
+  sums.total(touching);
   sums.total(of_bodies.all);
   sums.total(of_bodies.crossing);
   const Forces::Foreign here = forces.foreign();
@@ -185,7 +197,7 @@ SimulationParts::PairCounts SimulationParts::count_pairs() const {
   sums.total(foreign);
   sums.total(sent);
   sums.close();
-  return {std::size_t(listed), of_bodies, std::size_t(foreign), std::size_t(sent)};
+  return {std::size_t(listed), std::size_t(touching), of_bodies, std::size_t(foreign), std::size_t(sent)};
 }
 
 void SimulationParts::command_change(RankCommand change, const std::string& name,

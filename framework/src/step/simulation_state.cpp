@@ -50,26 +50,21 @@ State Simulation::state_at_rest(const RestingPacking& packing) const {
 std::uint64_t Simulation::state_hash() const {
   StateHash hash;
   hash.add(steps());
-  const Particles& p = particles();
+  const Particles& p = parts_->bodies_by_place();
+  const BodyOrder& order = p.order();
+  // Not in the copy in scene order, which takes as much memory again.
+  const auto add_column = [&](const auto& column) {
+    for (std::size_t number = 0; number < column.size(); ++number) hash.add(column[order.place(number)]);
+  };
   for (const auto& vectors : {p.position(), p.velocity(), p.spin()})
-    for (int k = 0; k < 3; ++k)
-      for (const double component : vectors[k]) hash.add(component);
-  for (int k = 0; k < p.orientations.components(); ++k)
-    for (const double component : p.orientations[k]) hash.add(component);
-  for (const std::uint8_t fixed : p.fixed) hash.add(std::uint64_t(fixed));
-  for (const freedom::Mask held : p.held) hash.add(std::uint64_t(held));
-  const BodyOrder& order = parts_->particles.order();
+    for (int k = 0; k < 3; ++k) add_column(vectors[k]);
+  for (int k = 0; k < p.orientations.components(); ++k) add_column(p.orientations[k]);
+  for (std::size_t number = 0; number < p.fixed.size(); ++number)
+    hash.add(std::uint64_t(p.fixed[order.place(number)]));
+  for (std::size_t number = 0; number < p.held.size(); ++number)
+    hash.add(std::uint64_t(p.held[order.place(number)]));
   parts_->integrator->add_to_hash(hash, order);
-  const Contacts& contacts = this->contacts();
-  for (const PairGroup& group : contacts.groups())
-    for (const std::size_t q : contacts.in_scene_order(group, order))
-      for (std::uint32_t k = 0; k < group.history_width; ++k)
-        if (const double value = group.history_of(q, k); value != 0) {
-          const std::uint32_t b = group.planes ? contacts.b[q] : order.number(contacts.b[q]);
-          hash.add((std::uint64_t(order.number(contacts.a[q])) << 32) | b);
-          hash.add(std::uint64_t(k));
-          hash.add(value);
-        }
+  parts_->add_histories(hash);
   parts_->boundaries.add_to_hash(hash);
   return hash.value();
 }
