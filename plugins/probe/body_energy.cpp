@@ -44,6 +44,10 @@ struct BodyEnergyProbe {
     return "";
   }
 
+  void mark_bodies(const scree_view& view, const double* state, std::uint8_t* marks) const {
+    bodies.mark(view, state, marks);
+  }
+
   void sample(const scree_view& view, const double* state, double* row) const {
     const double* const first = state + bodies.size();
     double* const ratios = row + 2;

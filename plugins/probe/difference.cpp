@@ -46,6 +46,10 @@ struct DifferenceProbe {
 
   std::string start(const scree_view& view, double* indices) const { return bodies.find(view, indices); }
 
+  void mark_bodies(const scree_view& view, const double* state, std::uint8_t* marks) const {
+    bodies.mark(view, state, marks);
+  }
+
   void sample(const scree_view& view, const double* indices, double* row) const {
     for (std::uint64_t n = 0; n < bodies.size(); n += 2) {
       const std::uint64_t a = bodies.index(view, indices, n), b = bodies.index(view, indices, n + 1);

@@ -43,6 +43,10 @@ struct LayerProbe {
     return problem.empty() ? layers.start_around(view, &height, half_width, state) : problem;
   }
 
+  void mark_bodies(const scree_view& view, const double* state, std::uint8_t* marks) const {
+    layers.mark(view, state, marks);
+  }
+
   void sample(const scree_view& view, const double* state, double* row) const {
     const scree::LayerMotion layer = layers.motion(view, state)[0];
     row[0] = layer.bodies;

@@ -64,6 +64,10 @@ struct MeanSquaredDisplacementProbe {
     begin_window(view, state);
   }
 
+  void mark_bodies(const scree_view& view, const double* state, std::uint8_t* marks) const {
+    for (std::uint64_t n = 0; n < count(view); ++n) marks[body(view, state, n)] = 1;
+  }
+
   void sample(const scree_view& view, const double* state, double* row) const {
     const scree::Vec3 sums = {{state[2], state[3], state[4]}};
     const scree::Vec3 mean = window > 0 ? 1 / state[1] * sums : mean_squares(view, state);

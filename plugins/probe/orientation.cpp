@@ -33,6 +33,10 @@ struct OrientationProbe {
   }
   std::string start(const scree_view& view, double* state) const { return bodies.find(view, state); }
 
+  void mark_bodies(const scree_view& view, const double* state, std::uint8_t* marks) const {
+    bodies.mark(view, state, marks);
+  }
+
   void sample(const scree_view& view, const double* state, double* row) const {
     for (std::uint64_t n = 0; n < bodies.size(); ++n) {
       const std::uint64_t i = bodies.index(view, state, n);

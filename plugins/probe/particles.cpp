@@ -37,6 +37,10 @@ struct ParticlesProbe {
 
   std::string start(const scree_view& view, double* indices) const { return bodies.find(view, indices); }
 
+  void mark_bodies(const scree_view& view, const double* state, std::uint8_t* marks) const {
+    bodies.mark(view, state, marks);
+  }
+
   void sample(const scree_view& view, const double* indices, double* row) const {
     for (std::uint64_t n = 0; n < bodies.size(); ++n) {
       const std::uint64_t i = bodies.index(view, indices, n);

@@ -68,6 +68,10 @@ struct ProfileProbe {
     return "";
   }
 
+  void mark_bodies(const scree_view& view, const double* state, std::uint8_t* marks) const {
+    layers.mark(view, state, marks);
+  }
+
   void sample(const scree_view& view, const double* state, double* row) const {
     for (const scree::LayerMotion& bin : layers.motion(view, state)) {
       *row++ = bin.bodies;

@@ -54,6 +54,10 @@ struct StrainProbe {
     return layers.start_around(view, heights, half_width, state);
   }
 
+  void mark_bodies(const scree_view& view, const double* state, std::uint8_t* marks) const {
+    layers.mark(view, state, marks);
+  }
+
   void sample(const scree_view& view, const double* state, double* row) const {
     const std::vector<scree::LayerMotion> motion = layers.motion(view, state);
     const scree::LayerMotion &below = motion[0], &above = motion[1];

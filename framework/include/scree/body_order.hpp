@@ -58,4 +58,14 @@ void copy_rows(const Container& by_place, std::size_t width, const BodyOrder& or
       by_number[order.number(place) * width + k] = by_place[place * width + k];
 }
 
+// The same for bodies of some numbers.
+template <class Container>
+void copy_rows(const Container& by_place, std::size_t width, const BodyOrder& order, Container& by_number,
+               const std::vector<std::uint32_t>& numbers) {
+  if (by_place.empty()) return;
+  for (const std::uint32_t number : numbers)
+    for (std::size_t k = 0; k < width; ++k)
+      by_number[number * width + k] = by_place[order.place(number) * width + k];
+}
+
 }  // namespace scree

@@ -40,6 +40,8 @@ class Orientations {
   void rearrange(const std::vector<std::uint32_t>& from, std::span<const BodyRange> kept);
   // See Particles::copy_in_scene_order.
   void copy_in_scene_order(const class BodyOrder& order, Orientations& copy) const;
+  void copy_in_scene_order(const class BodyOrder& order, Orientations& copy,
+                           const std::vector<std::uint32_t>& numbers) const;
 
   // Saves or restores the orientations of the first bodies.
   void transfer(const class StateTransfer& state, std::size_t bodies);

@@ -136,6 +136,8 @@ class Particles {
   void rearrange(const std::vector<std::uint32_t>& from, std::span<const BodyRange> kept);
   // Copies rearranged bodies to where each is at the place of its number, into an earlier copy of them.
   void copy_in_scene_order(Particles& copy) const;
+  // The same for bodies of some numbers.
+  void copy_in_scene_order(Particles& copy, const std::vector<std::uint32_t>& numbers) const;
 
   // Sends the state of bodies to other ranks; and what is constant.
   void send(class Ranks& ranks, const class RowRoutes& routes);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,21 +19,24 @@ constexpr std::uint32_t joint_needs(std::uint32_t a, std::uint32_t b) {
   return ((a | b) & ~nothing_of) | (a & b & nothing_of);
 }
 
+// Numbers of bodies, in increasing order; none: all bodies.
+using ListedBodies = std::optional<std::vector<std::uint32_t>>;
+
 // Read-only view of a simulation for probes; valid until the next step.
 class SimulationView {
  public:
   // needs: SCREE_NEEDS_CONTACTS takes a loop over all pairs, SCREE_NEEDS_ENERGY one over all bodies, and so
   // do bodies that have been sorted in memory, unless SCREE_NEEDS_NO_BODIES. end_time: (s) of the run, if it
-  // is known.
+  // is known. listed: bodies whose state is read.
   SimulationView(const Simulation& simulation, std::uint32_t needs,
-                 double end_time = std::numeric_limits<double>::quiet_NaN());
+                 double end_time = std::numeric_limits<double>::quiet_NaN(), const ListedBodies& listed = {});
   SimulationView(const SimulationView&) = delete;
   SimulationView& operator=(const SimulationView&) = delete;
 
   const scree_view& get() const { return view_; }
 
  private:
-  void show_bodies(const Simulation& simulation);
+  void show_bodies(const Simulation& simulation, const ListedBodies& listed);
   void show_boundaries(const Simulation& simulation);
   void show_contacts(const Simulation& simulation);
 
@@ -55,6 +59,8 @@ class Probe {
   std::vector<std::string> units() const { return units_; }
   std::vector<std::string> meanings() const;
   std::uint32_t needs() const { return plugin_.instance().needs; }
+  // The bodies that observe() and sample() read: those that the plug-in marks, once it has started, or all.
+  const ListedBodies& listed_bodies() const { return listed_; }
   // Whether observe() does anything.
   bool observes() const { return plugin_.instance().observes; }
   // Whether it can count some of the bodies only.
@@ -68,8 +74,9 @@ class Probe {
   void observe(const scree_view& view, std::span<const double> inputs = {});
   // One row of values.
   std::vector<double> sample(const scree_view& view, std::span<const double> inputs = {});
-  // Throws Error if the scene lacks what the probe reads; leaves the state as it is.
-  void check(const scree_view& view) const;
+  // Throws Error if the scene lacks what the probe reads; leaves the state as it is. Returns the number of
+  // bodies that it will read.
+  std::size_t check(const scree_view& view) const;
   // What the probe keeps.
   void transfer(const StateTransfer& state);
   // Throws Error if what was restored has not the size that the plug-in expects.
@@ -86,13 +93,16 @@ class Probe {
   // The state at the start.
   std::vector<double> started(const scree_view& view) const;
   void start_once(const scree_view& view);
+  // The bodies that the plug-in marks, if these are not all.
+  ListedBodies marked(const scree_view& view, const std::vector<double>& state) const;
 
   ConfiguredProbe plugin_;
   std::vector<std::string> names_, units_;
   std::vector<std::uint8_t> left_out_;
   std::vector<double> state_;  // with a guard behind the numbers of the state
   std::size_t state_size_ = 0;
-  bool is_started_ = false;
+  bool is_started_ = false, is_listed_ = false;
+  ListedBodies listed_;
 };
 
 }  // namespace scree

@@ -91,6 +91,8 @@ class Simulation {
   // In scene order. Valid until the next step: later the same reference may be an old copy, or have the
   // bodies in another order.
   const Particles& particles() const;
+  // The same, in which only bodies of these numbers need be as they are now: costs less. Constants are right.
+  const Particles& particles(const std::vector<std::uint32_t>& numbers) const;
   const Domain& domain() const;
   const std::vector<scree_plane>& planes() const;
   const std::vector<scree_load>& loads() const;  // contact force on each plane (N)

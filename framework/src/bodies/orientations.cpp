@@ -121,6 +121,11 @@ void Orientations::copy_in_scene_order(const BodyOrder& order, Orientations& cop
   copy_rows(values_, stride(), order, copy.values_);
 }
 
+void Orientations::copy_in_scene_order(const BodyOrder& order, Orientations& copy,
+                                       const std::vector<std::uint32_t>& numbers) const {
+  copy_rows(values_, stride(), order, copy.values_, numbers);
+}
+
 bool Orientations::are_in(const StateTransfer& state) { return state.has("orientation"); }
 
 }  // namespace scree

@@ -114,6 +114,13 @@ void Particles::copy_in_scene_order(Particles& copy) const {
   copy.order_ = {};
 }
 
+void Particles::copy_in_scene_order(Particles& copy, const std::vector<std::uint32_t>& numbers) const {
+  each_column(*this, copy, [&](const auto& by_place, auto& by_number, std::size_t width) {
+    copy_rows(by_place, width, order_, by_number, numbers);
+  });
+  orientations.copy_in_scene_order(order_, copy.orientations, numbers);
+}
+
 void Particles::send(Ranks& ranks, const RowRoutes& routes) {
   routes.send(ranks, records_.data(), width());
   routes.send(ranks, loads_.data(), load_width());

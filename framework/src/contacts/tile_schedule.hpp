@@ -57,7 +57,8 @@ class TileSchedule {
     };
     halo.begin_records(particles);
     each(order.before_records, all_of_tile);
-    each(order.split, [&](std::uint32_t tile, unsigned worker) { evaluate(tile, worker, TilePairs::inside); });
+    each(order.split,
+         [&](std::uint32_t tile, unsigned worker) { evaluate(tile, worker, TilePairs::inside); });
     halo.finish_records(particles);
     each(order.split, [&](std::uint32_t tile, unsigned worker) {
       evaluate(tile, worker, TilePairs::crossing);
@@ -127,13 +128,13 @@ class TileSchedule {
   }
 
   // Tiles of a rank in the order of their evaluation: tiles that read no bodies of other ranks; tiles that do,
-  // of which the pairs inside are evaluated at once; further ones that are evaluated when the records are there;
-  // tiles that are kept until the loads for other ranks are complete. And tiles for which loads come.
+  // and of which the pairs inside are evaluated at once; further ones, which wait for the records; tiles that
+  // are kept until the loads for other ranks are complete. And tiles for which loads come.
   struct ShareOrder {
     std::vector<std::uint32_t> before_records, split, reading, kept, loaded;
   };
   // A quarter of the blocks of pairs, if possible, is evaluated while records come, and as many while loads
-  // come. A tile that is split is loaded into the cache twice, so that no more of them are split than it takes.
+  // come. A tile that is split is loaded into the cache twice: no more are split than it takes.
   static ShareOrder order_of_share(const kernel::Tiles& tiles, const std::vector<std::uint32_t>& own,
                                    const Halo& halo) {
     const auto blocks = [&](std::uint32_t tile) {

@@ -43,8 +43,7 @@ Meeting meeting_of(const Particles& p, const Contacts& contacts, bool with_plane
   double distance = 0, reach = p.radius()[a];
   if (with_plane) {
     for (int k = 0; k < p.dimension(); ++k) normal[k] = planes[b].normal[k];
-    for (int k = 0; k < p.dimension(); ++k)
-      distance += (p.position()[k][a] - planes[b].point[k]) * normal[k];
+    for (int k = 0; k < p.dimension(); ++k) distance += (p.position()[k][a] - planes[b].point[k]) * normal[k];
   } else {
     normal = position(p, a) - position(p, b) + domain.shift(contacts.image[pair]);
     distance = norm(normal);
@@ -76,8 +75,7 @@ ContactList touching_contacts(const Particles& p, const Contacts& contacts, cons
     for (const std::size_t q : contacts.in_scene_order(group, order)) {
       const std::uint32_t a = contacts.a[q], b = contacts.b[q];
       const auto [normal, overlap] = meeting_of(p, contacts, group.planes, q, planes, domain);
-      if (!(overlap > 0) && !(listed == ListedPairs::touching_or_loaded && is_loaded(forces, q)))
-        continue;
+      if (!(overlap > 0) && !(listed == ListedPairs::touching_or_loaded && is_loaded(forces, q))) continue;
       list.a.push_back(order.number(a));
       list.b.push_back(group.planes ? std::uint32_t(p.size()) + b : order.number(b));
       append(list.normal, normal);

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <limits>
 #include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -43,7 +44,8 @@ bool fits_csv(const std::string& text) {
 
 }  // namespace
 
-SimulationView::SimulationView(const Simulation& s, std::uint32_t needs, double end_time)
+SimulationView::SimulationView(const Simulation& s, std::uint32_t needs, double end_time,
+                               const ListedBodies& listed)
     : energy_((needs & SCREE_NEEDS_ENERGY) && s.scene().audit ? s.energy() : no_energy()) {
   view_.struct_size = sizeof(view_);
   view_.dimension = std::uint32_t(s.dimension());
@@ -51,15 +53,15 @@ SimulationView::SimulationView(const Simulation& s, std::uint32_t needs, double 
   view_.step_length = s.step_length();
   view_.step = s.steps();
   view_.body_count = s.scene().bodies.size();
-  if (!(needs & SCREE_NEEDS_NO_BODIES)) show_bodies(s);
+  if (!(needs & SCREE_NEEDS_NO_BODIES)) show_bodies(s, listed);
   show_boundaries(s);
   if (needs & SCREE_NEEDS_CONTACTS) show_contacts(s);
   view_.energy = &energy_;
   view_.end_time = end_time;
 }
 
-void SimulationView::show_bodies(const Simulation& s) {
-  const Particles& p = s.particles();
+void SimulationView::show_bodies(const Simulation& s, const ListedBodies& listed) {
+  const Particles& p = listed ? s.particles(*listed) : s.particles();
   point_to(view_.position, p.position());
   point_to(view_.velocity, p.velocity());
   point_to(view_.spin, p.spin());
@@ -211,13 +213,35 @@ std::vector<double> Probe::started(const scree_view& view) const {
 }
 
 void Probe::start_once(const scree_view& view) {
-  if (is_started_) return;
-  state_ = started(view);
-  state_size_ = state_.size() - guard_size;
-  is_started_ = true;
+  if (!is_started_) {
+    state_ = started(view);
+    state_size_ = state_.size() - guard_size;
+    is_started_ = true;
+  }
+  if (!is_listed_) listed_ = marked(view, state_);
+  is_listed_ = true;
 }
 
-void Probe::check(const scree_view& view) const { started(view); }
+ListedBodies Probe::marked(const scree_view& view, const std::vector<double>& state) const {
+  const scree_probe& interface = plugin_.interface();
+  const bool can_mark = interface.struct_size > offsetof(scree_probe, mark_bodies) && interface.mark_bodies;
+  if (!can_mark || (needs() & SCREE_NEEDS_CONTACTS)) return {};
+  std::vector<std::uint8_t> marks(view.body_count, 0);
+  plugin_call(plugin_.parameters().plugin().name, "mark_bodies",
+              [&] { interface.mark_bodies(plugin_.storage(), &view, state.data(), marks.data()); });
+  if (std::find(marks.begin(), marks.end(), 0) == marks.end()) return {};
+  ListedBodies listed(std::in_place);
+  for (std::uint32_t i = 0; i < marks.size(); ++i)
+    if (marks[i]) listed->push_back(i);
+  return listed;
+}
+
+std::size_t Probe::check(const scree_view& view) const {
+  const std::vector<double> state = started(view);
+  if (needs() & SCREE_NEEDS_NO_BODIES) return 0;
+  const ListedBodies listed = marked(view, state);
+  return listed ? listed->size() : view.body_count;
+}
 
 void Probe::check_restored(const scree_view& view) const {
   if (const std::uint64_t size = size_in(view); is_started_ && state_size_ != size)

@@ -17,6 +17,7 @@ enum class RankCommand : std::uint64_t {
   step_by_substeps,
   go_on,  // after a substep
   gather_bodies,
+  gather_listed,
   gather_pairs,
   sum_energies,
   count_pairs,

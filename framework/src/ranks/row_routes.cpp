@@ -17,6 +17,14 @@ RowRoutes RowRoutes::to_first(const RankShare& share, const BodyTiles& tiles) {
   return to_owners(share, tiles, TileOwners(tiles.count()));
 }
 
+RowRoutes RowRoutes::to_first(const RankShare& share, const BodyTiles& tiles,
+                              const std::vector<std::uint32_t>& places) {
+  RowRoutes routes(share.ranks.size());
+  for (const std::uint32_t place : places)
+    routes.add(share.ranks.rank(), share.owners.rank_of(tiles.owner(place)), 0, {place, place + 1u});
+  return routes;
+}
+
 RowRoutes RowRoutes::to_owners(const RankShare& share, const BodyTiles& tiles, const TileOwners& next) {
   RowRoutes routes(share.ranks.size());
   for (std::size_t tile = 0; tile < tiles.count(); ++tile)

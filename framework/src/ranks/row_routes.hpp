@@ -16,6 +16,9 @@ class RowRoutes {
  public:
   // All rows to the first rank.
   static RowRoutes to_first(const RankShare& share, const BodyTiles& tiles);
+  // The rows of some places, in increasing order, to the first rank.
+  static RowRoutes to_first(const RankShare& share, const BodyTiles& tiles,
+                            const std::vector<std::uint32_t>& places);
   // The rows of tiles to their next owners.
   static RowRoutes to_owners(const RankShare& share, const BodyTiles& tiles, const TileOwners& next);
   // Rows to the owners of the places that they are about to have; each place takes the row at `from[place]`.

@@ -28,8 +28,9 @@ class NeighbourList {
 
   // From now on several ranks compute the scene: lists the pairs of the tiles of this rank alone.
   // bring_others: brings the bodies of other ranks that listed pairs have.
-  void share_with_ranks(RankShare& share, std::function<void()> bring_others) {
+  void share_with_ranks(RankShare& share, std::size_t bodies, std::function<void()> bring_others) {
     share_ = &share;
+    bodies_at_search_.resize(bodies);
     bring_others_ = std::move(bring_others);
   }
 

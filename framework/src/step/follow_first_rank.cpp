@@ -89,6 +89,8 @@ class Follower {
         return parts_.find_and_evaluate_pairs();
       case RankCommand::gather_bodies:
         return parts_.gather_bodies();
+      case RankCommand::gather_listed:
+        return parts_.gather_listed({});
       case RankCommand::gather_pairs:
         return parts_.gather_pairs();
       case RankCommand::sum_energies:

@@ -191,6 +191,9 @@ double Simulation::step_length() const { return parts_->scene.step; }
 std::uint64_t Simulation::steps() const { return parts_->stepper.steps(); }
 const Scene& Simulation::scene() const { return parts_->scene; }
 const Particles& Simulation::particles() const { return parts_->in_scene_order(); }
+const Particles& Simulation::particles(const std::vector<std::uint32_t>& numbers) const {
+  return parts_->in_scene_order(numbers);
+}
 const Domain& Simulation::domain() const { return parts_->boundaries.domain(); }
 const std::vector<scree_plane>& Simulation::planes() const { return parts_->boundaries.planes(); }
 const std::vector<scree_load>& Simulation::loads() const { return parts_->boundaries.loads(); }

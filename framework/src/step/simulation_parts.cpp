@@ -193,7 +193,7 @@ void SimulationParts::find_and_evaluate_pairs() {
   command(RankCommand::find_and_evaluate_pairs);
   search_neighbours();
   stepper.reevaluate_forces(0);
-  if (share) deal_tiles(balanced_owners(1));
+  if (share) deal_by_pairs();
 }
 
 void SimulationParts::search_neighbours() {
@@ -216,6 +216,21 @@ Particles& SimulationParts::in_scene_order() {
   if (!copy_in_scene_order) copy_in_scene_order = particles;
   particles.copy_in_scene_order(*copy_in_scene_order);
   copy_is_current = true;
+  return *copy_in_scene_order;
+}
+
+Particles& SimulationParts::in_scene_order(const std::vector<std::uint32_t>& numbers) {
+  if (share && !bodies_are_gathered) {
+    command(RankCommand::gather_listed);
+    gather_listed(numbers);
+  }
+  if (!particles.order().rearranged()) return particles;
+  if (copy_in_scene_order && !copy_is_current) {
+    particles.copy_in_scene_order(*copy_in_scene_order, numbers);
+  } else if (!copy_in_scene_order) {
+    copy_in_scene_order = particles;
+    particles.copy_in_scene_order(*copy_in_scene_order);
+  }
   return *copy_in_scene_order;
 }
 

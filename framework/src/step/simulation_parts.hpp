@@ -74,15 +74,21 @@ struct SimulationParts {
   // Gives tiles to other ranks, with their bodies and pairs.
   void deal_tiles(TileOwners next);
   void deal_after_search();
-  // For how long ranks have been busy since tiles were dealt: the busiest, and the mean (s).
-  struct Busy {
+  // The same if bodies alone have been counted and ranks have very different numbers of pairs.
+  void deal_by_pairs();
+  // Of the pairs and bodies of this rank.
+  double own_work() const;
+  // What all ranks have of something: the largest, and the mean.
+  struct Load {
     double most, mean;
   };
-  Busy busy_ranks() const;
+  Load load_of_ranks(double own) const;
   void send_bodies(const RowRoutes& routes);
   void send_bodies_for_good(const RowRoutes& routes);  // with what is constant
   // Give the first rank the state of all bodies, all pairs.
   void gather_bodies();
+  // Of bodies of these numbers, which other ranks get from the first rank.
+  void gather_listed(const std::vector<std::uint32_t>& numbers);
   void gather_pairs();
   // Listed pairs of all ranks, of these the pairs of bodies; see Footprint.
   struct PairCounts {
@@ -101,6 +107,8 @@ struct SimulationParts {
   Particles& bodies_by_place();
   // The bodies in the order of the scene: a copy if they are rearranged, valid until something moves them.
   Particles& in_scene_order();
+  // The same if only bodies of these numbers are read, but for constants of others: costs less.
+  Particles& in_scene_order(const std::vector<std::uint32_t>& numbers);
   // What laws keep of all pairs, for the first rank.
   void add_histories(class StateHash& hash);
   // See Simulation.
@@ -153,6 +161,7 @@ struct SimulationParts {
   std::optional<Particles> copy_in_scene_order;
   std::optional<Contacts> gathered_contacts;
   PairColumns gathered_forces;
+  std::vector<std::uint32_t> listed_bodies;  // that have been gathered last
   bool copy_is_current = false, bodies_are_gathered = false, pairs_are_gathered = false;
 };
 

@@ -4,6 +4,7 @@
 #include "state/state_bytes.hpp"
 #include "step/simulation_parts.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <utility>
@@ -76,13 +77,15 @@ void SimulationParts::transfer_shared(const StateTransfer& state) {
   transfer_common(state);
   transfer_order(state.below("bodies"));
   driven.transfer(state.below("driven"), particles.size());
-  neighbours.transfer_but_bodies(state.below("neighbours"), particles, boundaries);
+  // Not before the first search.
+  if (state.restoring() ? state.has("neighbours/skin") : neighbours.rebuilds() > 0)
+    neighbours.transfer_but_bodies(state.below("neighbours"), particles, boundaries);
 }
 
 void SimulationParts::share_with(Ranks& ranks) {
   const std::size_t tiles = BodyTiles(particles.size()).count();
   share.emplace(RankShare{ranks, TileOwners(std::vector<std::uint32_t>(tiles, 0), ranks.rank())});
-  neighbours.share_with_ranks(*share, [this] { forces.bring_bodies_of_others(particles); });
+  neighbours.share_with_ranks(*share, particles.size(), [this] { forces.bring_bodies_of_others(particles); });
   forces.share_with_ranks(*share);
   displaced_loads.reset();
   stepper.take_own_parts();
@@ -117,20 +120,31 @@ void SimulationParts::deal_after_search() {
   if (share->ranks.deals_at_random())
     return deal_tiles(TileOwners::at_random(share->owners.tiles(), share->ranks.size(), share->ranks.rank(),
                                             share->dealt_after));
-  const auto [most, mean] = busy_ranks();
-  if (most < least_measured || most < largest_imbalance * mean) return;
-  double work = 0;
-  for (const std::uint32_t tile : share->owners.own())
-    work += double(work_in(contacts, BodyTiles(particles.size()), tile));
+  const Load busy = load_of_ranks(share->busy);
+  if (busy.most < least_measured || busy.most < largest_imbalance * busy.mean) return;
+  const double work = own_work();
   // A rank without tiles has measured nothing, and none depends on its weight.
   deal_tiles(balanced_owners(work > 0 ? share->busy / work : 1));
 }
 
-SimulationParts::Busy SimulationParts::busy_ranks() const {
-  double most = share->busy;
-  std::int64_t sum = std::int64_t(1e9 * share->busy);
+void SimulationParts::deal_by_pairs() {
+  const Load work = load_of_ranks(own_work());
+  if (work.most > largest_imbalance * work.mean) deal_tiles(balanced_owners(1));
+}
+
+double SimulationParts::own_work() const {
+  double work = 0;
+  for (const std::uint32_t tile : share->owners.own())
+    work += double(work_in(contacts, BodyTiles(particles.size()), tile));
+  return work;
+}
+
+SimulationParts::Load SimulationParts::load_of_ranks(double own) const {
+  constexpr double counted = 1e4;  // of a second or of a pair: sums are whole numbers
+  double most = own;
+  std::int64_t sum = std::int64_t(counted * own);
   share->ranks.combine({&most, 1}, {&sum, 1});
-  return {most, 1e-9 * double(sum) / share->ranks.size()};
+  return {most, double(sum) / counted / share->ranks.size()};
 }
 
 void SimulationParts::send_bodies(const RowRoutes& routes) {
@@ -154,6 +168,23 @@ std::vector<BodyRange> SimulationParts::own_places() const {
 void SimulationParts::gather_bodies() {
   send_bodies(RowRoutes::to_first(*share, BodyTiles(particles.size())));
   bodies_are_gathered = true;
+}
+
+void SimulationParts::gather_listed(const std::vector<std::uint32_t>& numbers) {
+  // Mostly the same bodies as the last time.
+  std::uint64_t changed = share->is_first() && numbers != listed_bodies;
+  share->ranks.broadcast(std::as_writable_bytes(std::span(&changed, 1)));
+  if (changed) {
+    std::uint64_t size = numbers.size();
+    share->ranks.broadcast(std::as_writable_bytes(std::span(&size, 1)));
+    if (share->is_first()) listed_bodies = numbers;
+    listed_bodies.resize(size);
+    share->ranks.broadcast(std::as_writable_bytes(std::span(listed_bodies)));
+  }
+  std::vector<std::uint32_t> places;
+  for (const std::uint32_t number : listed_bodies) places.push_back(particles.order().place(number));
+  std::sort(places.begin(), places.end());
+  particles.send(share->ranks, RowRoutes::to_first(*share, BodyTiles(particles.size()), places));
 }
 
 void SimulationParts::gather_pairs() {

@@ -24,6 +24,7 @@ inline constexpr Range body_ids{.minimum = 1, .maximum = SCREE_MAX_ID};
 //   in describe  instance.state_width = std::uint32_t(bodies.size());
 //   in start     return bodies.find(view, state);
 //   in sample    view.mass[bodies.index(view, state, k)]
+//   in mark_bodies  bodies.mark(view, state, marks);
 struct BodyList {
   scree_value ids = {};
   std::uint64_t stride = 1;  // 2: only the first of each two numbers is an id
@@ -73,6 +74,11 @@ struct BodyList {
     for (std::uint64_t i = 0; i < view.body_count; ++i)
       if (view.id[i] == wanted) return i;
     throw std::out_of_range("there is no body with the id " + std::to_string(wanted));
+  }
+
+  // Sets the mark of each of the bodies.
+  void mark(const scree_view& view, const double* indices, std::uint8_t* marks) const {
+    for (std::uint64_t k = 0; k < size(); ++k) marks[index(view, indices, k)] = 1;
   }
 };
 

@@ -30,6 +30,7 @@ struct LayerMotion {
 //   in state_size  return layers.state_size(view);
 //   in start       return layers.start_around(view, centres, half_width, state);
 //   in sample      layers.motion(view, state)[0].displacement
+//   in mark_bodies layers.mark(view, state, marks);
 struct Layers {
   // Of columns bodies, position, velocity and displacement.
   static constexpr const char* meanings[] = {"number of bodies", "mean height", "mean along the axis",
@@ -87,6 +88,11 @@ struct Layers {
     for (std::uint64_t n = 0; n < count; ++n)
       if (layers[n].bodies == 0) return without_bodies(view, centres[n], half_width);
     return "";
+  }
+
+  // Sets the marks of the bodies that are in a layer.
+  void mark(const scree_view& view, const double* state, std::uint8_t* marks) const {
+    for (std::uint64_t i = 0; i < view.body_count; ++i) marks[i] = state[header * count + i] >= 1;
   }
 
   // The layers as they are now.

@@ -22,6 +22,8 @@
 //                                                      and a remedy, or "" (or const char*, null without one)
 //   void observe(const scree_view&, double* state) const;        optional: updates the state at every step
 //   void sample(const scree_view&, const double* state, double* row) const;   writes one row of values
+//   void mark_bodies(const scree_view&, const double* state, std::uint8_t* marks) const;   optional: 1 for the
+//                                                      bodies that observe and sample read, if these are few
 //
 // `describe` may set `observes` to 0 if the parameters make observation unnecessary, and sets `leaves_out` to
 // 1 in a probe that asks counts() of each body, so that scenarios may choose the bodies.
@@ -88,6 +90,12 @@ concept SceneSizedProbe = requires(const Author& author, const scree_view& view)
 };
 
 template <class Author>
+concept MarkingProbe = requires(const Author& author, const scree_view& view, const double* state,
+                                std::uint8_t* marks) {
+  author.mark_bodies(view, state, marks);
+};
+
+template <class Author>
 int configure_probe(const scree_setup* setup, void* storage, scree_probe_instance* instance) {
   if (const int failed = configure_author<Author>(setup, storage)) return failed;
   *instance = {};
@@ -137,6 +145,12 @@ void sample_probe(const void* storage, const scree_view* view, const double* sta
 }
 
 template <class Author>
+void mark_bodies_of_probe(const void* storage, const scree_view* view, const double* state,
+                          std::uint8_t* marks) {
+  static_cast<const Author*>(storage)->mark_bodies(*view, state, marks);
+}
+
+template <class Author>
 constexpr scree_probe make_probe_interface() {
   scree_probe p = {};
   p.struct_size = sizeof(p);
@@ -148,6 +162,7 @@ constexpr scree_probe make_probe_interface() {
   if constexpr (ObservingProbe<Author>) p.observe = &observe_probe<Author>;
   p.sample = &sample_probe<Author>;
   p.meaning = &meaning_of_probe<Author>;
+  if constexpr (MarkingProbe<Author>) p.mark_bodies = &mark_bodies_of_probe<Author>;
   return p;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 
@@ -37,11 +38,19 @@ void Sampler::put_in_order() {
   std::stable_sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
     return probes_[a].plan->depth < probes_[b].plan->depth;
   });
-  for (const std::size_t k : order_) {
-    probes_[k].needs = probes_[k].probe.needs();
-    for (const scenario::ProbeInput& input : probes_[k].plan->inputs)
-      probes_[k].needs = joint_needs(probes_[k].needs, probes_[input.probe].needs);
-  }
+}
+
+void Sampler::add_needs(const Active& p, Shown& shown) const {
+  shown.any = true;
+  shown.needs = joint_needs(shown.needs, p.probe.needs());
+  for (const scenario::ProbeInput& input : p.plan->inputs) add_needs(probes_[input.probe], shown);
+  if ((p.probe.needs() & SCREE_NEEDS_NO_BODIES) || !shown.bodies) return;
+  const ListedBodies& listed = p.probe.listed_bodies();
+  if (!listed) return shown.bodies.reset();
+  ListedBodies both(std::in_place);
+  std::set_union(shown.bodies->begin(), shown.bodies->end(), listed->begin(), listed->end(),
+                 std::back_inserter(*both));
+  shown.bodies = std::move(both);
 }
 
 void Sampler::open(const std::filesystem::path& folder) {
@@ -79,14 +88,13 @@ std::uint64_t Sampler::take(const Simulation& simulation, const std::string& sta
   if (taken_step_ == simulation.steps() && taken_stage_ == stage) return next(simulation, stage, steps);
   taken_step_ = simulation.steps();
   taken_stage_ = stage;
-  std::uint32_t needs = SCREE_NEEDS_NO_BODIES;
-  bool any = false;
+  Shown shown;
   for (const Active& p : probes_)
     if (p.records_in(stage) && (p.is_observed(simulation, steps) || p.is_due_at(simulation, steps)))
-      any = true, needs = joint_needs(needs, p.needs);
+      add_needs(p, shown);
   const std::uint64_t next = this->next(simulation, stage, steps);
-  if (!any) return next;
-  const SimulationView view(simulation, needs, end_time_);
+  if (!shown.any) return next;
+  const SimulationView view(simulation, shown.needs, end_time_, shown.bodies);
   forget_rows();
   for (const std::size_t k : order_) {
     Active& p = probes_[k];
@@ -109,10 +117,10 @@ std::uint64_t Sampler::next(const Simulation& simulation, const std::string& sta
 }
 
 void Sampler::sample_last(const Simulation& simulation, const std::string& stage) {
-  std::uint32_t needs = SCREE_NEEDS_NO_BODIES;
+  Shown shown;
   for (const Active& p : probes_)
-    if (p.records_in(stage)) needs = joint_needs(needs, p.needs);
-  const SimulationView view(simulation, needs, end_time_);
+    if (p.records_in(stage)) add_needs(p, shown);
+  const SimulationView view(simulation, shown.needs, end_time_, shown.bodies);
   forget_rows();
   for (Active& p : probes_)
     if (p.records_in(stage)) sample(p, view.get(), stage);

@@ -69,7 +69,6 @@ class Sampler : public StageColumns {
     std::unique_ptr<Series> series = nullptr;
     std::uint64_t observed = never;  // step of the last observation
     SeriesEnd end = {};              // behind which a series that is reopened goes on
-    std::uint32_t needs = 0;         // of the probe and of those whose columns it reads
     std::uint64_t sampled = never;   // step of the last sample
     std::vector<double> row = {};    // of the present time; empty if it was not computed
     std::vector<double> last = {};   // row of the series, of probes that observe
@@ -81,7 +80,15 @@ class Sampler : public StageColumns {
     // Step count at which the next observation or sample is due.
     std::uint64_t next(double step, std::uint64_t steps) const;
   };
+  // What a view has that several probes see together.
+  struct Shown {
+    std::uint32_t needs = SCREE_NEEDS_NO_BODIES;
+    ListedBodies bodies = std::vector<std::uint32_t>();
+    bool any = false;
+  };
   void put_in_order();
+  // Adds what a probe reads, and what those read whose columns it reads.
+  void add_needs(const Active& probe, Shown& shown) const;
   void sample(Active& probe, const scree_view& view, const std::string& stage);
   // The row of the probe at the time of the view, computed once.
   const std::vector<double>& row(Active& probe, const scree_view& view, const std::string& stage);

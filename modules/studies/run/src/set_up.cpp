@@ -55,14 +55,15 @@ Span span_of(const scenario::ProbePlan& probe, const std::vector<Stage>& stages)
   return span;
 }
 
-// Whether a probe starts in a scene as it is now, as if it were another time. Throws Error if not.
-void check_start(const scenario::ProbePlan& probe, const scenario::Plan& plan, const Simulation& simulation,
-                 double time, double end_time) {
+// Whether a probe starts in a scene as it is now, as if it were another time. Returns the number of bodies
+// that it will read. Throws Error if not.
+std::size_t check_start(const scenario::ProbePlan& probe, const scenario::Plan& plan,
+                        const Simulation& simulation, double time, double end_time) {
   const Probe candidate = scenario::configured(probe, plan.scene.dimension);
   const SimulationView view(simulation, candidate.needs(), end_time);
   scree_view then = view.get();
   then.time = time;
-  candidate.check(then);
+  return candidate.check(then);
 }
 
 bool starts(const scenario::ProbePlan& probe, const scenario::Plan& plan, const Simulation& simulation) {
@@ -74,7 +75,21 @@ bool starts(const scenario::ProbePlan& probe, const scenario::Plan& plan, const 
   }
 }
 
-void check_probes(const scenario::Plan& plan, const Simulation& simulation) {
+// Throws Error if a probe has many bodies sent to the first rank in every step.
+void check_sent(const scenario::ProbePlan& probe, const scenario::Plan& plan, std::size_t bodies) {
+  constexpr double most = 50, bytes_per_body = 250;  // (MB), of state and loads of a sphere with spin
+  const double megabytes = 1e-6 * bytes_per_body * double(bodies);
+  const Probe candidate = scenario::configured(probe, plan.scene.dimension);
+  const double every =
+      candidate.observes() ? std::min(probe.every, probe.observe_every.value_or(0)) : probe.every;
+  if (megabytes <= most || every >= 1.5 * plan.scene.step) return;
+  throw Error(
+      fmt::format("reads {} in every step, for which {:.0f} MB go to the first rank each time; give a "
+                  "longer every, or leave out --ranks",
+                  counted(bodies, "body", "bodies"), megabytes));
+}
+
+void check_probes(const scenario::Plan& plan, const Simulation& simulation, bool over_ranks) {
   for (const scenario::ProbePlan& probe : plan.probes) {
     const Span span = span_of(probe, plan.stages);
     const bool later = span.begin != 0;
@@ -82,28 +97,12 @@ void check_probes(const scenario::Plan& plan, const Simulation& simulation) {
     // times either.
     if (later && (!std::isfinite(span.begin) || !starts(probe, plan, simulation))) continue;
     try {
-      check_start(probe, plan, simulation, simulation.time() + span.begin, simulation.time() + span.end);
+      const double now = simulation.time();
+      const std::size_t read = check_start(probe, plan, simulation, now + span.begin, now + span.end);
+      if (over_ranks) check_sent(probe, plan, read);
     } catch (const Error& error) {
       throw error.at(probe.place, ExitStatus::bad_input);
     }
-  }
-}
-
-// Throws Error if a probe has all bodies of a big scene sent to the first rank in every step.
-void check_sent_to_probes(const scenario::Plan& plan) {
-  constexpr double most = 50, bytes_per_body = 250;  // (MB), of state and loads of a sphere with spin
-  const double megabytes = 1e-6 * bytes_per_body * double(plan.scene.bodies.size());
-  for (const scenario::ProbePlan& probe : plan.probes) {
-    const Probe candidate = scenario::configured(probe, plan.scene.dimension);
-    const double every =
-        candidate.observes() ? std::min(probe.every, probe.observe_every.value_or(0)) : probe.every;
-    if (megabytes <= most || every >= 1.5 * plan.scene.step || (candidate.needs() & SCREE_NEEDS_NO_BODIES))
-      continue;
-    throw Error(
-        probe.place,
-        fmt::format("reads all bodies in every step, for which {:.0f} MB go to the first rank each time",
-                    megabytes),
-        "give a longer every, or leave out --ranks");
   }
 }
 
@@ -136,12 +135,11 @@ void check_later_stages(const scenario::Plan& plan) {
 }  // namespace
 
 std::unique_ptr<Simulation> set_up(const scenario::Plan& plan, unsigned threads, Ranks* ranks) {
-  if (ranks && ranks->size() > 1) check_sent_to_probes(plan);
   auto simulation = make_simulation(plan, threads, ranks);
   if (const auto problem = plan.step_guard ? step_problem(*simulation) : std::nullopt)
     throw problem->at(plan.step_place);
   check_later_stages(plan);
-  check_probes(plan, *simulation);
+  check_probes(plan, *simulation, ranks && ranks->size() > 1);
   return simulation;
 }
 
