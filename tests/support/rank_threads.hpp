@@ -8,6 +8,7 @@
 #include <functional>
 #include <limits>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <scree/ranks.hpp>
@@ -19,8 +20,10 @@ namespace scree::test {
 // come.
 class RankThreads {
  public:
-  explicit RankThreads(unsigned size, bool at_random = false)
-      : size_(size), at_random_(at_random), meeting_(size), given_(size) {}
+  // partition: see Ranks; may be empty.
+  using Partition = std::function<std::vector<std::uint32_t>(const TileGraph&)>;
+  explicit RankThreads(unsigned size, bool at_random = false, Partition partition = {})
+      : size_(size), at_random_(at_random), partition_(std::move(partition)), meeting_(size), given_(size) {}
 
   // Calls work(ranks) on each rank; throws what the first rank that failed has thrown. A rank that fails
   // while others wait for it ends the program.
@@ -59,6 +62,9 @@ class RankThreads {
     unsigned rank() const override { return rank_; }
     unsigned size() const override { return all_.size_; }
     bool deals_at_random() const override { return all_.at_random_; }
+    std::vector<std::uint32_t> partition(const TileGraph& graph) override {
+      return all_.partition_ ? all_.partition_(graph) : Ranks::partition(graph);
+    }
 
     void broadcast(std::span<std::byte> data) override {
       own().broadcast = data;
@@ -116,6 +122,7 @@ class RankThreads {
 
   unsigned size_;
   bool at_random_;
+  Partition partition_;
   std::barrier<> meeting_;
   std::vector<Given> given_;
 };

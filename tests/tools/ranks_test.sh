@@ -59,6 +59,15 @@ for ranks in 1 3; do
   [[ $(hash_of "$output") == "$alone" ]] || fail "$ranks ranks: $output"
 done
 
+# Of many tiles, which METIS deals where the library is linked to it.
+call=(bench beads-102400 --steps 2 --repeats 1)
+alone=$(hash_of "$("$program" "${call[@]}")")
+output=$(over 3 "${call[@]}" 2>&1)
+[[ $(hash_of "$output") == "$alone" ]] || fail "3 ranks, not $alone: $output"
+dealt='tiles dealt in ranges'
+ldd "$library" | grep -q libmetis && dealt='tiles dealt by METIS'
+grep -q "$dealt" <<< "$output" || fail "not $dealt: $output"
+
 # A box whose walls move under stress, in stages, with probes and pictures.
 short=(--quiet --set stage.prepare.until.at_least=0.01 --set stage.prepare.until.at_most=0.03)
 "$program" run "$box" --out "$folder/alone" "${short[@]}" || fail "one process: status $?"

@@ -105,6 +105,7 @@ BenchResult time_steps(const scenario::Plan& plan, const BenchOptions& options) 
   r.crossing_share = footprint.crossing_share;
   r.foreign_bodies = footprint.foreign_bodies;
   r.bytes_sent = footprint.bytes_sent;
+  r.by_graph = footprint.by_graph;
   r.state_hash = s.state_hash();
   return r;
 }

@@ -26,6 +26,7 @@ struct BenchResult {
   std::size_t listed_pairs;                                                // the same, see Footprint
   double crossing_share;
   std::size_t foreign_bodies, bytes_sent;
+  bool by_graph;
   std::uint64_t steps;             // of a repeat
   double first_time;               // (s) in the scene
   std::vector<double> s_per_step;  // of each repeat

@@ -67,9 +67,11 @@ void print(const std::string& scene, const BenchOptions& options, const BenchRes
   if (r.crossing_share > 0)
     fmt::print("{:.1f} % of the listed pairs are between two tiles\n", 100 * r.crossing_share);
   if (options.ranks)
-    fmt::print("{} bodies read from other ranks, {} bytes sent per step ({:.0f} for each of them)\n",
-               r.foreign_bodies, r.bytes_sent,
-               double(r.bytes_sent) / double(std::max<std::size_t>(1, r.foreign_bodies)));
+    fmt::print(
+        "{} bodies read from other ranks, {} bytes sent per step ({:.0f} for each of them); tiles dealt {}\n",
+        r.foreign_bodies, r.bytes_sent,
+        double(r.bytes_sent) / double(std::max<std::size_t>(1, r.foreign_bodies)),
+        r.by_graph ? "by METIS" : "in ranges");
   double all = 0;
   for (int k = 0; k < Profile::phase_count; ++k) all += r.profile.seconds(Profile::Phase(k));
   fmt::print("time per phase{}, from one extra repeat (includes timer overhead):\n",

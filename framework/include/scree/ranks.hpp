@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include <scree/tile_graph.hpp>
+
 namespace scree {
 
 // The processes (ranks) that compute one scene together, and the messages between them. Every rank makes the
@@ -21,6 +23,9 @@ class Ranks {
 
   // Whether tiles are dealt to ranks at random after each search, which changes no result: for tests.
   virtual bool deals_at_random() const { return false; }
+  // The rank of each tile, below size(), such that ranks have about as much work and few pairs are between
+  // tiles of different ranks; nothing if no partitioner is available. For the first rank alone.
+  virtual std::vector<std::uint32_t> partition(const TileGraph&) { return {}; }
 
   // Gives all ranks what the first rank has in `data`, of the same size on each.
   virtual void broadcast(std::span<std::byte> data) = 0;

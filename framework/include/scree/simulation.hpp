@@ -33,6 +33,7 @@ struct Footprint {
   double crossing_share;        // of the listed pairs of bodies, those between two tiles, which take longer
   std::size_t foreign_bodies;   // that ranks read although other ranks have them, summed over ranks
   std::size_t bytes_sent;       // between ranks in an evaluation
+  bool by_graph;                // ranks have the tiles that Ranks::partition has found, not consecutive ones
 };
 
 // A running simulation of one scene. The sequence of a step is listed in src/step/stepper.cpp.

@@ -12,6 +12,7 @@
 #include <scree/pair_search.hpp>
 #include <scree/plugin/abi.h>
 #include <scree/thread_pool.hpp>
+#include <scree/tile_graph.hpp>
 
 namespace scree {
 
@@ -101,6 +102,8 @@ class Contacts {
   // Pairs of bodies, and those whose bodies are in different tiles: now, or if the bodies were rearranged.
   CrossingPairs crossing() const;
   CrossingPairs crossing(const std::vector<std::uint32_t>& from) const;
+  // The same pairs between tiles, each number of them for its two tiles.
+  std::vector<TileGraph::Edge> edges_of_tiles() const;
 
   // The pairs of a group in the order of their numbers, a first.
   std::vector<std::size_t> in_scene_order(const PairGroup& group, const BodyOrder& order) const;

@@ -54,6 +54,25 @@ CrossingPairs Contacts::crossing(const std::vector<std::uint32_t>& from) const {
   return pairs;
 }
 
+std::vector<TileGraph::Edge> Contacts::edges_of_tiles() const {
+  std::vector<TileGraph::Edge> edges;
+  std::vector<std::uint32_t> pairs_with(tiles_.count(), 0), reached;
+  for (std::uint32_t tile = 0; tile < tiles_.count(); ++tile) {
+    for (const PairGroup& group : groups_) {
+      if (group.planes || group.runs.empty()) continue;
+      for (std::size_t q = group.runs[tile].crossing; q < group.runs[tile].end; ++q) {
+        const auto other = std::uint32_t(tiles_.owner(std::max(a[q], b[q])));
+        if (pairs_with[other]++ == 0) reached.push_back(other);
+      }
+    }
+    std::sort(reached.begin(), reached.end());
+    for (const std::uint32_t other : reached)
+      edges.push_back({tile, other, std::exchange(pairs_with[other], 0)});
+    reached.clear();
+  }
+  return edges;
+}
+
 std::vector<std::size_t> Contacts::in_scene_order(const PairGroup& group, const BodyOrder& order) const {
   std::vector<std::size_t> pairs(group.pairs);
   if (group.pairs == 0) return pairs;

@@ -1,7 +1,5 @@
 #include "ranks/tile_owners.hpp"
 
-#include <algorithm>
-#include <numeric>
 #include <random>
 #include <utility>
 
@@ -9,22 +7,10 @@ namespace scree {
 
 TileOwners::TileOwners(std::size_t tiles) : TileOwners(std::vector<std::uint32_t>(tiles, 0), 0) {}
 
-TileOwners::TileOwners(std::vector<std::uint32_t> rank_of, unsigned rank)
-    : rank_of_(std::move(rank_of)), rank_(rank) {
+TileOwners::TileOwners(std::vector<std::uint32_t> rank_of, unsigned rank, bool by_graph)
+    : rank_of_(std::move(rank_of)), rank_(rank), by_graph_(by_graph) {
   for (std::uint32_t tile = 0; tile < rank_of_.size(); ++tile)
     if (is_own(tile)) own_.push_back(tile);
-}
-
-TileOwners TileOwners::ranges(std::span<const double> weights, unsigned ranks, unsigned rank) {
-  const double all = std::accumulate(weights.begin(), weights.end(), 0.0);
-  std::vector<std::uint32_t> rank_of(weights.size());
-  double before = 0;
-  for (std::size_t tile = 0; tile < weights.size(); ++tile) {
-    const double middle = before + 0.5 * weights[tile];
-    rank_of[tile] = std::min(ranks - 1, std::uint32_t(ranks * middle / all));
-    before += weights[tile];
-  }
-  return {std::move(rank_of), rank};
 }
 
 TileOwners TileOwners::at_random(std::size_t tiles, unsigned ranks, unsigned rank, std::uint64_t seed) {

@@ -296,7 +296,8 @@ Footprint Simulation::footprint() const {
           .touching_pairs = touching,
           .crossing_share = crossing.share(),
           .foreign_bodies = foreign,
-          .bytes_sent = sent};
+          .bytes_sent = sent,
+          .by_graph = parts_->share && parts_->share->owners.by_graph()};
 }
 
 }  // namespace scree

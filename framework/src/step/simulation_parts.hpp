@@ -68,8 +68,8 @@ struct SimulationParts {
   void transfer_shared(const class StateTransfer& state);
   // From now on several ranks compute the scene, of which the first has all bodies and pairs.
   void share_with(Ranks& ranks);
-  // Consecutive tiles for each rank, with about as much work if the work of a tile is what all ranks together
-  // have as its pairs and bodies, times this rank's `weight`.
+  // Tiles for each rank with about as much work, where the work of a tile is the number of its pairs and
+  // bodies times the `weight` of its present rank.
   TileOwners balanced_owners(double weight) const;
   // Gives tiles to other ranks, with their bodies and pairs.
   void deal_tiles(TileOwners next);

@@ -1,4 +1,5 @@
 #include "contacts/history_hash.hpp"
+#include "ranks/balanced_owners.hpp"
 #include "ranks/row_routes.hpp"
 #include "state/scene_message.hpp"
 #include "state/state_bytes.hpp"
@@ -95,8 +96,7 @@ TileOwners SimulationParts::balanced_owners(double weight) const {
   std::vector<double> work(share->owners.tiles(), -std::numeric_limits<double>::infinity());
   for (const std::uint32_t tile : share->owners.own())
     work[tile] = weight * double(work_in(contacts, BodyTiles(particles.size()), tile));
-  share->ranks.combine(work, {});
-  return TileOwners::ranges(work, share->ranks.size(), share->ranks.rank());
+  return scree::balanced_owners(share->ranks, {std::move(work), contacts.edges_of_tiles()});
 }
 
 void SimulationParts::deal_tiles(TileOwners next) {

@@ -8,7 +8,7 @@
 namespace scree::ranks {
 
 // Raised with every change of this interface or of Ranks.
-constexpr int backend_version = 1;
+constexpr int backend_version = 2;
 
 // What libscree_ranks_mpi.so implements.
 class RanksBackend {

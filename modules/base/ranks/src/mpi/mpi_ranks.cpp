@@ -1,4 +1,5 @@
 #include "backend.hpp"
+#include "metis_partition.hpp"
 #include "pieces.hpp"
 
 #include <array>
@@ -113,6 +114,12 @@ class MpiRanks final : public Ranks {
 
   unsigned rank() const override { return rank_; }
   unsigned size() const override { return size_; }
+
+#if SCREE_METIS
+  std::vector<std::uint32_t> partition(const TileGraph& graph) override {
+    return metis_partition(graph, size_);
+  }
+#endif
 
   void broadcast(std::span<std::byte> data) override {
     each_piece(data, piece_, [&](std::span<std::byte> piece) {

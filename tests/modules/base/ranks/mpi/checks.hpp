@@ -32,6 +32,8 @@ std::size_t random_size(Random& random, std::size_t largest);
 void check_broadcast(Ranks& ranks, Random& random, Checks& checks);
 void check_combine(Ranks& ranks, Random& random, Checks& checks);
 void check_exchange(Ranks& ranks, Random& random, std::size_t largest, Checks& checks);
+// with_partitioner: the library was built with one.
+void check_partition(Ranks& ranks, bool with_partitioner, Checks& checks);
 void check_messages(Ranks& ranks, Random& random, std::size_t largest, Checks& checks);
 
 }  // namespace scree::test

@@ -27,7 +27,7 @@ expect() {
   failures=1
 }
 
-for what in messages long-messages pieces; do
+for what in messages long-messages pieces partition; do
   start 200 "$what"
   expect 0 ' 0 failures'
 done

@@ -37,6 +37,14 @@ int check_all(Ranks& ranks, std::uint64_t seed, int rounds, std::size_t largest)
   return failures > 0;
 }
 
+int check_partition_alone(Ranks& ranks) {
+  Checks checks(ranks.rank());
+  check_partition(ranks, SCREE_METIS, checks);
+  const std::int64_t failures = checks.failures(ranks);
+  if (ranks.rank() == 0) fmt::print("partition: {} failures\n", failures);
+  return failures > 0;
+}
+
 // The first rank waits for a message that the last one does not send.
 [[noreturn]] void fail_between(Ranks& ranks) {
   std::vector<double> numbers(1'000'000);
@@ -91,6 +99,7 @@ int run(const std::string& what, unsigned size, std::uint64_t seed) {
   if (what == "messages") return check_all(*ranks, seed, 300, 20'000);
   if (what == "long-messages") return check_all(*ranks, seed, 6, 3'000'000);
   if (what == "longest-messages") return check_longest(*ranks);
+  if (what == "partition") return check_partition_alone(*ranks);
   if (what == "failure-between") fail_between(*ranks);
   if (what == "too-much") return receive_too_much(*ranks);
   if (what == "joined-twice") ranks::join_ranks();
