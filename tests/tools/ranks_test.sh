@@ -4,27 +4,10 @@
 # Usage: ranks_test.sh PROGRAM LIBRARY, the companion library that talks MPI or nothing.
 set -u
 
-program=$1 library=${2:-}
-[[ -n $library ]] || { echo "skipped: built without MPI; install libopenmpi-dev and configure again"; exit 77; }
-command -v mpirun > /dev/null || { echo "skipped: mpirun is not installed (openmpi-bin)"; exit 77; }
-options=()
-if mpirun --version | grep -q 'Open MPI'; then
-  # More ranks than processors, which ranks that wait leave to the others.
-  options=(--oversubscribe --bind-to none --mca mpi_yield_when_idle 1 --allow-run-as-root)
-fi
+# shellcheck source=tests/tools/ranks/mpirun.sh
+source "$(dirname "$0")/ranks/mpirun.sh"
 box=$(dirname "$0")/ranks/box.toml
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-failures=0
-fail() { printf '%s\n' "$*"; failures=1; }
-
-over() { timeout 200 mpirun "${options[@]}" -n "$1" "$program" "${@:2}" --ranks; }
 hash_of() { sed -n 's/^state hash \([0-9a-f]*\) .*/\1/p' <<< "$1"; }
-# Whether two runs have the same results.
-same_results() {
-  cmp "$folder/$1/final_state.h5" "$folder/$2/final_state.h5" || return 1
-  for series in "$folder/$1"/series/*.csv; do cmp "$series" "$folder/$2/series/${series##*/}" || return 1; done
-}
 # Numbers of the ranks of a run, the last one last.
 ranks_of() {
   local process words
