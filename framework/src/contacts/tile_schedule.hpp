@@ -127,9 +127,9 @@ class TileSchedule {
       tiles.bodies().each_part(tile, [&](std::size_t part) { finish_part(part, worker); });
   }
 
-  // Tiles of a rank in the order of their evaluation: tiles that read no bodies of other ranks; tiles that do,
-  // and of which the pairs inside are evaluated at once; further ones, which wait for the records; tiles that
-  // are kept until the loads for other ranks are complete. And tiles for which loads come.
+  // Tiles of a rank in the order of their evaluation: tiles that read no bodies of other ranks; tiles that
+  // do, and of which the pairs inside are evaluated at once; further ones, which wait for the records; tiles
+  // that are kept until the loads for other ranks are complete. And tiles for which loads come.
   struct ShareOrder {
     std::vector<std::uint32_t> before_records, split, reading, kept, loaded;
   };
