@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -25,7 +26,11 @@ bool refuses_tasks(int argc, char** argv) {
   if (words.empty() || std::find(std::begin(writing), std::end(writing), words[0]) == std::end(writing))
     return false;
   const bool asked = std::find(words.begin(), words.end(), "--ranks") != words.end();
-  if ((asked && words[0] != "campaign") || !ranks::is_one_of_several_tasks()) return false;
+  if (!ranks::is_one_of_several_tasks()) return false;
+  if (asked && words[0] != "campaign") {
+    print_reports(ranks::is_first_task());  // all would say the same of the command line
+    return false;
+  }
   if (ranks::is_first_task())
     report(
         "the program was started several times by mpirun or srun; give --ranks to run, resume or bench one "
@@ -33,6 +38,26 @@ bool refuses_tasks(int argc, char** argv) {
         ExitStatus::bad_input);
   return true;
 }
+
+namespace {
+
+// The plug-ins of this rank; null if some rank cannot load them. Throws Error on the first such rank.
+std::unique_ptr<PluginHost> host_of_rank(Ranks& all, const PluginOptions& options) {
+  std::unique_ptr<PluginHost> host;
+  std::optional<Error> problem;
+  try {
+    host.reset(new PluginHost(make_host(options)));
+  } catch (const Error& error) {
+    problem = error;
+  }
+  const double own = problem ? double(all.size() - all.rank()) : 0;
+  double first = own;
+  all.combine({&first, 1}, {});
+  if (first > 0 && first == own) throw *problem;
+  return first > 0 ? nullptr : std::move(host);
+}
+
+}  // namespace
 
 ExitStatus do_over_ranks(const OverRanks& options, const std::function<ExitStatus(Ranks*)>& work) {
   if (!options.asked) return work(nullptr);
@@ -44,12 +69,14 @@ ExitStatus do_over_ranks(const OverRanks& options, const std::function<ExitStatu
         "the processes that mpirun or srun has started do not find each other; use mpirun of the MPI with which "
         "the program was built (modules/README.md), or srun --mpi=pmix");
   }
+  print_reports(true);
+  const std::unique_ptr<PluginHost> host = host_of_rank(*all, options.plugins);
+  if (!host) return ExitStatus::bad_input;
   if (all->rank() == 0) {
     const FirstRank leads(all.get());
     return work(all.get());
   }
-  PluginHost host = make_host(options.plugins);
-  follow_first_rank(*all, host, options.threads, [&] { return interrupted.load(); });
+  follow_first_rank(*all, *host, options.threads, [&] { return interrupted.load(); });
   return ExitStatus::success;
 }
 

@@ -39,7 +39,7 @@ TileOwners balanced_owners(Ranks& ranks, TileGraph own) {
   if (ranks.size() == 1 || map.size() < least_tiles * ranks.size()) return {std::move(map), ranks.rank()};
   graph.edges = gather_edges(ranks, std::move(graph.edges));
   bool by_graph = false;
-  if (ranks.rank() == 0) {
+  if (ranks.rank() == 0 && !graph.edges.empty()) {
     TileMap found = in_order_of_tiles(ranks.partition(graph), ranks.size());
     by_graph = !found.empty() && is_better(graph, found, map, ranks.size());
     if (by_graph) map = std::move(found);

@@ -277,7 +277,7 @@ double Simulation::min_steps_per_contact() const {
 Footprint Simulation::footprint() const {
   const Particles& p = parts_->particles;
   parts_->command(RankCommand::count_pairs);
-  const auto [listed, touching, crossing, foreign, sent] = parts_->count_pairs();
+  const auto [listed, touching, bytes_per_pair, crossing, foreign, sent] = parts_->count_pairs();
   std::uint32_t width = 0;
   for (const LawInstance& law : parts_->laws) width = std::max(width, law.interface.history_width);
   const std::size_t spins = std::size_t(p.spin_axes().last - p.spin_axes().first);
@@ -290,7 +290,7 @@ Footprint Simulation::footprint() const {
           .fixed_bodies = fixed,
           .held_bodies = held,
           .bytes_per_body = p.bytes_per_body(),
-          .bytes_per_pair = parts_->forces.bytes_per_pair() + width * sizeof(double),
+          .bytes_per_pair = bytes_per_pair + width * sizeof(double),
           .history_width = width,
           .listed_pairs = listed,
           .touching_pairs = touching,

@@ -74,7 +74,7 @@ struct SimulationParts {
   // Gives tiles to other ranks, with their bodies and pairs.
   void deal_tiles(TileOwners next);
   void deal_after_search();
-  // The same if bodies alone have been counted and ranks have very different numbers of pairs.
+  // Gives tiles to other ranks if bodies alone have been counted and pairs ask for it.
   void deal_by_pairs();
   // Of the pairs and bodies of this rank.
   double own_work() const;
@@ -92,7 +92,7 @@ struct SimulationParts {
   void gather_pairs();
   // Listed pairs of all ranks, of these the pairs of bodies; see Footprint.
   struct PairCounts {
-    std::size_t listed, touching;
+    std::size_t listed, touching, bytes_per_pair;
     CrossingPairs of_bodies;
     std::size_t foreign_bodies, bytes_sent;
   };

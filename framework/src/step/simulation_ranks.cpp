@@ -129,7 +129,8 @@ void SimulationParts::deal_after_search() {
 
 void SimulationParts::deal_by_pairs() {
   const Load work = load_of_ranks(own_work());
-  if (work.most > largest_imbalance * work.mean) deal_tiles(balanced_owners(1));
+  TileOwners next = balanced_owners(1);
+  if (next.by_graph() || work.most > largest_imbalance * work.mean) deal_tiles(std::move(next));
 }
 
 double SimulationParts::own_work() const {
@@ -225,10 +226,13 @@ SimulationParts::PairCounts SimulationParts::count_pairs() {
   sums.total(of_bodies.crossing);
   const Forces::Foreign here = forces.foreign();
   std::int64_t foreign = std::int64_t(here.bodies), sent = std::int64_t(here.bytes_sent);
+  double bytes_per_pair = double(forces.bytes_per_pair());  // less on a rank without pairs
   sums.total(foreign);
   sums.total(sent);
+  sums.largest(bytes_per_pair);
   sums.close();
-  return {std::size_t(listed), std::size_t(touching), of_bodies, std::size_t(foreign), std::size_t(sent)};
+  return {std::size_t(listed), std::size_t(touching), std::size_t(bytes_per_pair),
+          of_bodies,           std::size_t(foreign),  std::size_t(sent)};
 }
 
 void SimulationParts::command_change(RankCommand change, const std::string& name,

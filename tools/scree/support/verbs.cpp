@@ -11,9 +11,18 @@
 
 namespace scree::tool {
 
+namespace {
+
+bool reports_are_printed = true;
+
+}  // namespace
+
+void print_reports(bool print) { reports_are_printed = print; }
+
 ExitStatus report(std::string_view line, ExitStatus status) {
   constexpr std::size_t longest = 4000;
-  std::fputs(fmt::format("scree: {}\n", files::one_line(line, longest)).c_str(), stderr);
+  if (reports_are_printed)
+    std::fputs(fmt::format("scree: {}\n", files::one_line(line, longest)).c_str(), stderr);
   return status;
 }
 

@@ -16,6 +16,8 @@ namespace scree::tool {
 
 // Writes "scree: <line>" to stderr, in one line whatever the text holds, and returns the status.
 ExitStatus report(std::string_view line, ExitStatus status);
+// Whether report() prints: not in a task whose errors another one has as well.
+void print_reports(bool print);
 // Writes "scree: warning: <line>" to stderr.
 void report_warning(std::string_view line);
 

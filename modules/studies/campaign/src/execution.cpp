@@ -148,8 +148,9 @@ class Executor {
   }
 
   void interrupt() {
-    // Unlike another SIGINT or SIGTERM, it does not end a run that a batch system has just signalled itself.
-    if (!interrupted_) pool_.signal(SIGHUP);
+    // Unlike another SIGINT or SIGTERM, these do not end a run that a batch system has just signalled itself.
+    // mpirun passes SIGUSR1 on and nothing else without killing the ranks a second later.
+    if (!interrupted_) pool_.signal(options_.ranks > 0 ? SIGUSR1 : SIGHUP);
     interrupted_ = true;
   }
 

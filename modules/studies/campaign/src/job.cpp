@@ -24,7 +24,8 @@ std::vector<std::string> run_words(const Job& job, const std::string& directory)
   return words;
 }
 
-// What starts the processes of a run. mpirun kills processes that do not end soon after a signal.
+// What starts the processes of a run. mpirun would bind each of two ranks to one core, whatever its threads,
+// and ranks of several runs to the same ones.
 std::vector<std::string> launcher(const ExecutionOptions& options) {
   if (options.ranks == 0) return {options.program.string()};
   // It is another program that follows the link.
@@ -37,7 +38,7 @@ std::vector<std::string> launcher(const ExecutionOptions& options) {
             "--ntasks=" + count,
             "--cpus-per-task=" + std::to_string(options.threads),
             program};
-  return {"mpirun", "-n", count, "--mca", "odls_base_sigkill_timeout", "300", program};
+  return {"mpirun", "--bind-to", "none", "-n", count, program};
 }
 
 constexpr std::size_t longest_problem = 1000;  // (bytes)

@@ -65,6 +65,7 @@ Json stages_of(const RunResult& result) {
 Json run_record(const scenario::Plan& plan, const RunOptions& options, const RunResult& result,
                 const Simulation& s) {
   Json json = {{"title", plan.title}, {"seed", plan.seed}, {"threads", options.threads}};
+  if (options.ranks) json["ranks"] = options.ranks->size();
   json["step"] = s.step_length();
   json["wall_s"] = result.wall_time;
   json["stepping_s"] = result.wall_time - result.output;

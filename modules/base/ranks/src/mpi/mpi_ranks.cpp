@@ -51,8 +51,8 @@ class Membership {
   // MPI must not be called again while messages are under way, whose memory may be gone.
   ~Membership() {
     if (!begun.empty() || !exchanged.empty()) return;
-    if (std::uncaught_exceptions() > exceptions_ && !others_leave()) return;
-    MPI_Finalize();
+    const bool all_leave = others_leave();
+    if (all_leave || std::uncaught_exceptions() == exceptions_) MPI_Finalize();
   }
 
   MPI_Comm ranks = MPI_COMM_NULL;  // with the error handler of the world
