@@ -55,12 +55,25 @@ scree_load DisplacedLoads::load(const Scene& scene, std::size_t plane, const dou
       evaluate(tile);
     else if (share_->owners.is_own(tile))
       share_->failure.guard([&] { evaluate(tile); });
-  scree_load load = {};
+  return total(of_tiles, scene.particles.dimension(), true).load;
+}
+
+DisplacedLoads::Total DisplacedLoads::total(const std::vector<scree_load>& of_tiles, int dimension,
+                                            bool asking) const {
+  Total total = {.load = {}, .asking = asking};
   RankSums sums(share_ ? &share_->ranks : nullptr);
-  for (int k = 0; k < scene.particles.dimension(); ++k)
-    sums.sum(load.force[k], of_tiles, [&](const scree_load& of_tile) { return of_tile.force[k]; });
+  for (int k = 0; k < dimension; ++k)
+    sums.sum(total.load.force[k], of_tiles, [&](const scree_load& of_tile) { return of_tile.force[k]; });
+  sums.total(total.asking);
   sums.close();
-  return load;
+  return total;
+}
+
+void DisplacedLoads::finish(int dimension) {
+  if (!share_) return;
+  const std::vector<scree_load> nothing(share_->owners.tiles(), scree_load{});
+  while (total(nothing, dimension, false).asking > 0) {
+  }
 }
 
 DisplacedLoads::PlanePairs& DisplacedLoads::pairs_of(const Scene& scene, std::size_t plane) {

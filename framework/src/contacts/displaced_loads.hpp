@@ -34,8 +34,17 @@ class DisplacedLoads {
   };
   // Load of a plane (N) after a displacement (m) in the step, at constant velocity.
   scree_load load(const Scene& scene, std::size_t plane, const double* displacement);
+  // Over ranks: waits until no rank asks for loads any more, and adds none to theirs. A rank whose boundary
+  // fails asks for fewer than others.
+  void finish(int dimension);
 
  private:
+  // Of all tiles; `asking`: the number of ranks that ask now, of which this is one.
+  struct Total {
+    scree_load load = {};
+    std::int64_t asking = 0;
+  };
+  Total total(const std::vector<scree_load>& of_tiles, int dimension, bool asking) const;
   // The pairs of one plane and, per group, their rows in the group of all pairs.
   struct PlanePairs {
     std::uint64_t revision = 0;  // of the contacts from which they were taken

@@ -25,6 +25,7 @@ struct Forces::Work {
   PairConstants constants;
   std::vector<ContactSums> tile_sums;
   std::optional<Halo> halo;  // if several ranks compute the scene
+  ShareOrder share_order;
   TileSchedule schedule;
   double max_overlap_ratio = 0;  // largest so far
 };
@@ -67,8 +68,10 @@ void Forces::update_pairs(Particles& particles, const Contacts& contacts, std::u
     work.all_tiles = TileOwners(work.tiles.bodies().count()).own();
   }
   work.tiles.plan(contacts, share_ ? share_->owners.own() : work.all_tiles, planes, threads);
-  if (share_)
+  if (share_) {
     work.halo->plan(work.tiles, particles, reads & (1u << SCREE_ORIENTATION_A | 1u << SCREE_ORIENTATION_B));
+    work.share_order = ShareOrder(work.tiles, share_->owners.own(), *work.halo);
+  }
   work.constants.update(contacts, particles, reads, features_.pair_forces, threads);
   particles.set_load_rows(work.tiles.slots());
   work.tile_sums.assign(work.tiles.tiles().size(), {});
@@ -130,7 +133,7 @@ void Forces::evaluate(const Evaluation& e, ThreadPool& threads, const FinishPart
   };
   if (share_)
     share_->busy += work.schedule.run_share(
-        work.tiles, share_->owners.own(), *work.halo, e.particles, threads,
+        work.tiles, work.share_order, *work.halo, e.particles, threads,
         [&](std::size_t tile, unsigned worker, kernel::TilePairs pairs) {
           share_->failure.guard([&] { evaluate_pairs(tile, worker, pairs); });
         },

@@ -3,8 +3,8 @@
 #include "contacts/halo.hpp"
 #include "contacts/kernel/evaluate.hpp"
 #include "contacts/kernel/tiles.hpp"
+#include "contacts/share_order.hpp"
 
-#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstdint>
@@ -38,11 +38,9 @@ class TileSchedule {
   // come, it evaluates what reads none of them, and while their loads come, tiles that it has kept for that.
   // Returns the time for which it has not waited (s).
   template <class Evaluate, class FinishPart>
-  double run_share(const kernel::Tiles& tiles, const std::vector<std::uint32_t>& own, Halo& halo,
-                   Particles& particles, ThreadPool& threads, const Evaluate& evaluate,
-                   const FinishPart& finish_part) {
+  double run_share(const kernel::Tiles& tiles, const ShareOrder& order, Halo& halo, Particles& particles,
+                   ThreadPool& threads, const Evaluate& evaluate, const FinishPart& finish_part) {
     using kernel::TilePairs;
-    const ShareOrder order = order_of_share(tiles, own, halo);
     reset_pending(tiles);
     for (const std::uint32_t tile : order.loaded) pending_[tile].fetch_add(1, std::memory_order_relaxed);
     double busy = 0;
@@ -69,8 +67,8 @@ class TileSchedule {
     each(order.kept, all_of_tile);
     halo.finish_loads(particles);
     for (const std::uint32_t tile : order.loaded) pending_[tile].fetch_sub(1, std::memory_order_relaxed);
-    const std::vector<std::uint32_t> last_first(own.rbegin(), own.rend());
-    each(last_first,
+    each(order.after_loads, all_of_tile);
+    each(order.last_first,
          [&](std::uint32_t tile, unsigned worker) { finish_if_ready(tiles, tile, worker, finish_part); });
     return busy;
   }
@@ -125,45 +123,6 @@ class TileSchedule {
     std::uint32_t none = 0;
     if (pending_[tile].compare_exchange_strong(none, finished, std::memory_order_acq_rel))
       tiles.bodies().each_part(tile, [&](std::size_t part) { finish_part(part, worker); });
-  }
-
-  // Tiles of a rank in the order of their evaluation: tiles that read no bodies of other ranks; tiles that
-  // do, and of which the pairs inside are evaluated at once; further ones, which wait for the records; tiles
-  // that are kept until the loads for other ranks are complete. And tiles for which loads come.
-  struct ShareOrder {
-    std::vector<std::uint32_t> before_records, split, reading, kept, loaded;
-  };
-  // A quarter of the blocks of pairs, if possible, is evaluated while records come, and as many while loads
-  // come. A tile that is split is loaded into the cache twice: no more are split than it takes.
-  static ShareOrder order_of_share(const kernel::Tiles& tiles, const std::vector<std::uint32_t>& own,
-                                   const Halo& halo) {
-    const auto blocks = [&](std::uint32_t tile) {
-      return tiles.tiles()[tile].last_block - tiles.tiles()[tile].first_block;
-    };
-    std::size_t all = 0, before = 0, kept = 0;
-    ShareOrder order;
-    std::vector<std::uint32_t> independent;
-    for (const std::uint32_t tile : own) {
-      all += blocks(tile);
-      if (halo.is_loaded_by_others(tile)) order.loaded.push_back(tile);
-      if (!halo.reads_others(tile)) independent.push_back(tile);
-    }
-    std::stable_partition(independent.begin(), independent.end(),
-                          [&](std::uint32_t tile) { return !halo.is_loaded_by_others(tile); });
-    for (; !independent.empty(); independent.pop_back()) {
-      const std::uint32_t tile = independent.back();
-      const bool is_kept = 4 * kept < all;
-      (is_kept ? order.kept : order.before_records).push_back(tile);
-      (is_kept ? kept : before) += blocks(tile);
-    }
-    std::reverse(order.kept.begin(), order.kept.end());
-    std::reverse(order.before_records.begin(), order.before_records.end());
-    for (const std::uint32_t tile : own) {
-      if (!halo.reads_others(tile)) continue;
-      (4 * before < all ? order.split : order.reading).push_back(tile);
-      before += tiles.tiles()[tile].first_crossing - tiles.tiles()[tile].first_block;
-    }
-    return order;
   }
 
   void reset_pending(const kernel::Tiles& tiles) {

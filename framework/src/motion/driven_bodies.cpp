@@ -196,9 +196,10 @@ void DrivenBodies::put_back(Particles& p, std::span<const Entry> entries) const 
     load_of(p, entries[e].component, entries[e].body) = aside_[first + e];
 }
 
-void DrivenBodies::prepare(Integrator& integrator, Particles& p, double step) {
+void DrivenBodies::prepare(Integrator& integrator, Particles& p, double step,
+                           std::span<const BodyRange> bodies) {
   set_aside(p, held_.entries);
-  integrator.prepare(p, step);
+  integrator.prepare(p, step, bodies);
   put_back(p, held_.entries);
 }
 

@@ -42,7 +42,7 @@ class DrivenBodies {
   void plan_finish(const Times& times);
 
   // The integrator's functions of the same names.
-  void prepare(Integrator& integrator, Particles& particles, double step);
+  void prepare(Integrator& integrator, Particles& particles, double step, std::span<const BodyRange> bodies);
   double begin_step(Integrator& integrator, Particles& particles, double step, BodyRange bodies,
                     std::size_t part);
   bool finish_step(Integrator& integrator, Particles& particles, double step, BodyRange bodies,

@@ -29,8 +29,8 @@ class Integrator {
   // Whether forces are evaluated at mid-step instead of at the end of the step.
   virtual bool evaluates_at_mid_step() const { return false; }
 
-  // Called once for all bodies before the first half of a step (s).
-  virtual void prepare(Particles&, double /*step*/) {}
+  // Called once, for the bodies that this process moves, before the first half of a step (s).
+  virtual void prepare(Particles&, double /*step*/, std::span<const BodyRange>) {}
   // First half of a step (s): moves positions to the time of force evaluation and predicts velocities there.
   // Returns the largest squared speed of the motion (m²/s²); infinite if any velocity is not finite.
   virtual double begin_step(Particles& particles, double step, BodyRange bodies) = 0;

@@ -11,14 +11,15 @@ namespace scree {
 using namespace kernel;
 
 // Third and fourth derivatives start at 0; the first steps build them up.
-void PredictorCorrector::prepare(Particles& particles, double step) {
+void PredictorCorrector::prepare(Particles& particles, double step, std::span<const BodyRange> bodies) {
   const Motions motions(particles);
   const std::size_t numbers = 4 * particles.size() * motions.per_body();
   if (second_.size() == numbers) return;
-  for (auto* column : {&second_, &third_, &fourth_}) column->assign(numbers, 0.0);
-  motions.each({0, particles.size()}, [&](const Motion& m) SCREE_INLINE_LAMBDA {
-    store_four(second_.data() + 4 * m.number, 0.5 * step * step * m.acceleration);
-  });
+  for (auto* column : {&second_, &third_, &fourth_}) *column = BodyColumn<double>(numbers);
+  for (const BodyRange& range : bodies)
+    motions.each(range, [&](const Motion& m) SCREE_INLINE_LAMBDA {
+      store_four(second_.data() + 4 * m.number, 0.5 * step * step * m.acceleration);
+    });
 }
 
 double PredictorCorrector::begin_step(Particles& particles, double step, BodyRange bodies) {

@@ -11,7 +11,7 @@ namespace scree {
 //   finish_step: r_k += c_k (h²/2 F/m − r_2), c = 19/90, 3/4, 1, 1/2, 1/12
 class PredictorCorrector : public Integrator {
  public:
-  void prepare(Particles& particles, double step) override;
+  void prepare(Particles& particles, double step, std::span<const BodyRange> bodies) override;
   double begin_step(Particles& particles, double step, BodyRange bodies) override;
   bool finish_step(Particles& particles, double step, BodyRange bodies) override;
   void restart() override {

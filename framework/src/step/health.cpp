@@ -1,6 +1,7 @@
 #include "step/health.hpp"
 
 #include "plugins/program_checks.hpp"
+#include "walls/boundaries.hpp"
 
 #include <algorithm>
 #include <cmath>

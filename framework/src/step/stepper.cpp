@@ -111,6 +111,7 @@ std::optional<double> Stepper::substep(double step, std::optional<double> next) 
 void Stepper::begin_walls(double step, double kick) {
   if (!parts_.share) return move_walls(step, kick);
   parts_.share->failure.guard([&] { move_walls(step, kick); });
+  if (parts_.displaced_loads) parts_.displaced_loads->finish(parts_.scene.dimension);
 }
 
 // All ranks do the same: if one fails here, all do.
@@ -138,9 +139,9 @@ void Stepper::begin_bodies(const DrivenBodies::Times& times) {
   const double step = times.step;
   if (p.driven.any()) {
     p.driven.plan_begin(times);
-    p.driven.prepare(*p.integrator, p.particles, step);
+    p.driven.prepare(*p.integrator, p.particles, step, p.own_places());
   } else {
-    p.integrator->prepare(p.particles, step);
+    p.integrator->prepare(p.particles, step, p.own_places());
   }
   p.threads->each(own_parts_.size(), [&](std::size_t k, unsigned) {
     const std::size_t part = own_parts_[k];

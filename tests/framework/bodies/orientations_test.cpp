@@ -169,7 +169,8 @@ TEST_CASE("the derivatives of the predictor-corrector are part of its hash", "[o
   Particles particles(3, {}, {body(1, 1, 1, {}, {{1, 0, 0}})});
   const auto integrator = make_integrator(Integration::predictor_corrector);
   StateHash before, after;
-  integrator->prepare(particles, 1e-3);
+  const BodyRange all = {0, 1};
+  integrator->prepare(particles, 1e-3, {&all, 1});
   integrator->add_to_hash(before, {});
   particles.force()[0][0] = 1;
   integrator->begin_step(particles, 1e-3, {0, 1});

@@ -79,6 +79,19 @@ TEST_CASE("walls that ranks have moved differently are named", "[ranks]") {
   CHECK_THAT(failure_over(3, scene), Catch::StartsWith("wall floor: is not at the same place on all ranks"));
 }
 
+TEST_CASE("a wall that fails on one rank while others ask for loads ends the step on all", "[ranks]") {
+  scree::PluginHost laws({SCREE_TEST_LAWS});
+  Scene scene = meeting_bodies();
+  scene.boundaries = {{"floor", 0, scree::Parameters(laws.find("asking", SCREE_BOUNDARY))}};
+  scree::Parameters& asking = scene.boundaries[0].parameters;
+  asking.set("fatal_call", {7});
+  CHECK_THAT(failure_of(scene, nullptr), Catch::Contains("no more") && Catch::Contains("step 7"));
+  for (const int fatal_call : {7, 8, 9}) {
+    asking.set("fatal_call", {double(fatal_call)});
+    CHECK_THAT(failure_over(3, scene), Catch::Contains("no more") && Catch::Contains("step 3"));
+  }
+}
+
 TEST_CASE("a rank that is asked to stop has the first rank know after the next step", "[ranks]") {
   const Scene scene = scree::test::sliding_layers(2);
   std::atomic<bool> asked = false;
