@@ -16,12 +16,16 @@ ranks_of() {
     mapfile -d '' -t words < "$process/cmdline" && [[ " ${words[*]} " == *" --out $folder/$1 "* ]] && echo "${process#/proc/}"
   done 2> /dev/null | sort -n
 }
-# Waits until a run of two ranks has so many lines of energy; then sends a signal to its last rank.
-signal_last_rank() {
+# Waits until a run has so many lines of energy.
+wait_for_lines() {
   for ((k = 0; k < 600; ++k)); do
     [[ -e $folder/$1/series/energy.csv ]] && (($(wc -l < "$folder/$1/series/energy.csv") >= $2)) && break
     sleep 0.1
   done
+}
+# Sends a signal to the last of two ranks of a run that has so many lines.
+signal_last_rank() {
+  wait_for_lines "$1" "$2"
   kill "-$3" "$(ranks_of "$1" | tail -1)"
 }
 # mpirun may end before the ranks that it kills, and these keep their lock for a moment.
@@ -70,6 +74,29 @@ wait_for_ranks $! killed
 "$program" resume "$folder/killed" --overwrite --quiet || fail "killed, in one process: status $?"
 same_results alone killed || fail "a run that was killed and went on has other results"
 
+# A campaign that is stopped saves its runs within seconds, and goes on with another number of ranks.
+cat > "$folder/campaign.toml" <<TEXT
+[campaign]
+scenario = "$(realpath "$box")"
+collect = ["energy.kinetic_translation.last"]
+[set]
+"stage.prepare.until.at_least" = [0.01]
+"stage.prepare.until.at_most" = [0.03]
+TEXT
+campaign() { "$program" campaign "$folder/campaign.toml" --out "$folder/$1" --quiet "${@:2}" > "$folder/log" 2>&1; }
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_mpi_yield_when_idle=1
+point=stage.prepare.until.at_least=0.01,stage.prepare.until.at_most=0.03
+campaign sweep --ranks 2 &
+wait_for_lines "sweep/$point" 3
+SECONDS=0
+kill -TERM $!
+wait $!
+((SECONDS < 60)) || fail "a campaign took $SECONDS s to stop"
+grep -q '"status": "interrupted"' "$folder/sweep/$point/run.json" || fail "not interrupted: $(< "$folder/log")"
+campaign sweep --ranks 3 || fail "a campaign that goes on: $(< "$folder/log")"
+same_results "sweep/$point/series" alone/series || fail "a campaign over ranks has other results"
+
 # Errors: one line, and the status of one process.
 output=$(over 2 run "$box" --out "$folder/unstable" --quiet --set limits.overlap_ratio=0.001 2>&1)
 status=$?
@@ -79,6 +106,12 @@ output=$(over 2 run "$box" --out "$folder/bad" --set time.stp=1 2>&1)
 status=$?
 ((status == 2)) && (($(grep -c '^scree: ' <<< "$output") == 1)) && [[ ! -e $folder/bad ]] ||
   fail "an unknown key: status $status, $output"
+for wrong in "--threads 0" "--plugins $folder/nowhere"; do
+  # shellcheck disable=SC2086  # two words
+  output=$(over 3 run "$box" --out "$folder/bad" $wrong 2>&1)
+  status=$?
+  ((status == 2)) && (($(grep -c '^scree: ' <<< "$output") == 1)) || fail "$wrong: status $status, $output"
+done
 output=$(timeout 60 mpirun "${options[@]}" -n 2 "$program" bench discs-16 --steps 10 2>&1)
 status=$?
 ((status == 2)) && (($(grep -c 'give --ranks' <<< "$output") == 1)) ||

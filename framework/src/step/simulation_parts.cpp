@@ -201,18 +201,17 @@ void SimulationParts::search_neighbours() {
   keep_neighbours_near();
 }
 
-Particles& SimulationParts::bodies_by_place() {
+Particles& SimulationParts::all_bodies() {
   if (share && !bodies_are_gathered) {
     command(RankCommand::gather_bodies);
     gather_bodies();
   }
-  return particles;
+  return copy_is_current ? *copy_in_scene_order : particles;
 }
 
 Particles& SimulationParts::in_scene_order() {
-  bodies_by_place();
-  if (!particles.order().rearranged()) return particles;
-  if (copy_is_current) return *copy_in_scene_order;
+  Particles& bodies = all_bodies();
+  if (!bodies.order().rearranged()) return bodies;
   if (!copy_in_scene_order) copy_in_scene_order = particles;
   particles.copy_in_scene_order(*copy_in_scene_order);
   copy_is_current = true;

@@ -103,8 +103,8 @@ struct SimulationParts {
   void command(RankCommand command, const std::vector<std::string>& lines = {}) const {
     if (share && share->is_first()) send_command(share->ranks, command, lines);
   }
-  // The state of all bodies.
-  Particles& bodies_by_place();
+  // The state of all bodies, by place or in the order of the scene: see Particles::order().
+  Particles& all_bodies();
   // The bodies in the order of the scene: a copy if they are rearranged, valid until something moves them.
   Particles& in_scene_order();
   // The same if only bodies of these numbers are read, but for constants of others: costs less.

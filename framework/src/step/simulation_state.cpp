@@ -50,9 +50,9 @@ State Simulation::state_at_rest(const RestingPacking& packing) const {
 std::uint64_t Simulation::state_hash() const {
   StateHash hash;
   hash.add(steps());
-  const Particles& p = parts_->bodies_by_place();
+  // No copy in scene order is made for this: it takes as much memory again.
+  const Particles& p = parts_->all_bodies();
   const BodyOrder& order = p.order();
-  // Not in the copy in scene order, which takes as much memory again.
   const auto add_column = [&](const auto& column) {
     for (std::size_t number = 0; number < column.size(); ++number) hash.add(column[order.place(number)]);
   };
@@ -63,7 +63,7 @@ std::uint64_t Simulation::state_hash() const {
     hash.add(std::uint64_t(p.fixed[order.place(number)]));
   for (std::size_t number = 0; number < p.held.size(); ++number)
     hash.add(std::uint64_t(p.held[order.place(number)]));
-  parts_->integrator->add_to_hash(hash, order);
+  parts_->integrator->add_to_hash(hash, parts_->particles.order());
   parts_->add_histories(hash);
   parts_->boundaries.add_to_hash(hash);
   return hash.value();

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # A campaign on a real Slurm, disturbed at random: its table and the files of its runs are those of the campaign that runs here.
-# Usage: campaign_test.sh PROGRAM [DISTURBANCES [SEED]]. Skipped (status 77) where there is no slurmctld.
+# Usage: campaign_test.sh PROGRAM [DISTURBANCES [SEED [LIBRARY]]], LIBRARY: the companion library that talks MPI or nothing.
+# Skipped (status 77) where there is no slurmctld.
 set -euo pipefail
-program=$(realpath "$1") disturbances=${2:-20} seed=${3:-1}
+program=$(realpath "$1") disturbances=${2:-20} seed=${3:-1} library=${4:-}
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 export PATH=$PATH:/usr/sbin:/sbin
 for command in munged slurmctld slurmd sbatch; do
@@ -149,3 +150,26 @@ results() { (cd "$1" && find . -name '*.csv' -path '*/series/*' -exec sha256sum 
 diff <(results local) <(results out) || fail "another series"
 restarts=$(cat out/*seed=*/log.txt out/prepare/*/log.txt | grep -c 'goes on') || true
 echo "same table and series; $restarts times a run went on from a state"
+
+# Over the ranks that srun starts.
+if ! srun --mpi=list 2>&1 | grep -q pmix || [[ -z $library ]]; then
+  echo "not over ranks: no pmix in this Slurm, or a build without MPI"
+  exit 0
+fi
+cat > ranked.toml <<TEXT
+[campaign]
+scenario = "fall.toml"
+collect = ["energy.kinetic_translation.last"]
+[set]
+"contact.static_friction" = [0.3, 0.4]
+TEXT
+"$program" campaign ranked.toml --out ranked-local --quiet > local.log 2>&1 || fail "without ranks: $(< local.log)"
+"$program" campaign ranked.toml --out ranked --on slurm --partition low --ranks 2 > submit.log 2>&1 || fail "not submitted over ranks"
+deadline=$(($(date +%s) + 60))
+until "$program" campaign ranked.toml --out ranked --gather > gather.log 2>&1; do
+  (($(date +%s) < deadline)) || { cat gather.log; fail "no end over ranks"; }
+  sleep 0.5
+done
+diff <(results ranked-local) <(results ranked) || fail "another series over ranks"
+grep -q '"ranks": 2' ranked/*/run.json || fail "not over ranks"
+echo "same series over ranks"

@@ -27,7 +27,7 @@ void on_interrupt(int signal) {
   if (!interrupted) {
     first_signal = milliseconds();
     interrupted = true;
-  } else if (signal != SIGHUP && milliseconds() - first_signal > same_request) {
+  } else if (signal != SIGHUP && signal != SIGUSR1 && milliseconds() - first_signal > same_request) {
     _exit(int(ExitStatus::interrupted));
   }
 }

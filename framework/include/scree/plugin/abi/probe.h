@@ -130,9 +130,9 @@ typedef struct scree_probe {
    * struct_size says, is used without it. */
   void (*meaning)(const void* storage, uint32_t column, char text[SCREE_MAX_MEANING]);
   /* (optional) Marks with 1, of body_count zeros, the bodies that `observe` and `sample` read. Of others they then see
-   * radius, mass, inertia, id, material, fixed and held; all else may be as it was earlier. Spares copies of bodies that lie in
-   * another order in memory or that other processes move. Called after `start`, and when a run goes on; the view has only what is
-   * seen of all bodies. Not for a probe with SCREE_NEEDS_CONTACTS. As `meaning`, a library may lack it. */
+   * radius, mass, inertia, id, material, fixed and held; all else may be as it was earlier. Spares copies of bodies that
+   * lie in another order in memory or that other processes move. Called with a view of all bodies, after `start` and when
+   * a run goes on. Not called for a probe with SCREE_NEEDS_CONTACTS. As `meaning`, a library may lack it. */
   void (*mark_bodies)(const void* storage, const scree_view* view, const double* state, uint8_t* marks);
 } scree_probe;
 
