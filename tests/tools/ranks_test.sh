@@ -83,18 +83,18 @@ collect = ["energy.kinetic_translation.last"]
 "stage.prepare.until.at_least" = [0.01]
 "stage.prepare.until.at_most" = [0.03]
 TEXT
-campaign() { "$program" campaign "$folder/campaign.toml" --out "$folder/$1" --quiet "${@:2}" > "$folder/log" 2>&1; }
+campaign=("$program" campaign "$folder/campaign.toml" --out "$folder/sweep" --quiet)
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_mpi_yield_when_idle=1
-point=stage.prepare.until.at_least=0.01,stage.prepare.until.at_most=0.03
-campaign sweep --ranks 2 &
+point=at_least=0.01,at_most=0.03
+"${campaign[@]}" --ranks 2 > "$folder/log" 2>&1 &
 wait_for_lines "sweep/$point" 3
 SECONDS=0
 kill -TERM $!
 wait $!
 ((SECONDS < 60)) || fail "a campaign took $SECONDS s to stop"
 grep -q '"status": "interrupted"' "$folder/sweep/$point/run.json" || fail "not interrupted: $(< "$folder/log")"
-campaign sweep --ranks 3 || fail "a campaign that goes on: $(< "$folder/log")"
+"${campaign[@]}" --ranks 3 > "$folder/log" 2>&1 || fail "a campaign that goes on: $(< "$folder/log")"
 same_results "sweep/$point/series" alone/series || fail "a campaign over ranks has other results"
 
 # Errors: one line, and the status of one process.

@@ -59,7 +59,7 @@ class Probe {
   std::vector<std::string> units() const { return units_; }
   std::vector<std::string> meanings() const;
   std::uint32_t needs() const { return plugin_.instance().needs; }
-  // The bodies that observe() and sample() read: those that the plug-in marks, once it has started, or all.
+  // The bodies that observe() and sample() read: marked by the plug-in once it has started, or all.
   const ListedBodies& listed_bodies() const { return listed_; }
   // Whether observe() does anything.
   bool observes() const { return plugin_.instance().observes; }

@@ -96,7 +96,6 @@ class Contacts {
   void send_to_owners(class Ranks& ranks, const class TileOwners& owners, PairColumns& further,
                       std::uint32_t width);
 
-  std::size_t bodies() const { return tiles_.size(); }
   // Number of pairs without padding.
   std::size_t listed() const;
   // Pairs of bodies, and those whose bodies are in different tiles: now, or if the bodies were rearranged.
@@ -107,6 +106,10 @@ class Contacts {
 
   // The pairs of a group in the order of their numbers, a first.
   std::vector<std::size_t> in_scene_order(const PairGroup& group, const BodyOrder& order) const;
+
+  // Adds what laws keep of pairs, in scene order. share: ranks that have the pairs together, of which the
+  // first gets the hash; null if these are all pairs.
+  void add_to_hash(class StateHash& hash, const BodyOrder& order, struct RankShare* share) const;
 
   // Sets all histories to 0, as of pairs that do not touch.
   void clear_histories();

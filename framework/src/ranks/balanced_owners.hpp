@@ -12,7 +12,7 @@
 namespace scree {
 
 // Consecutive tiles, or what Ranks::partition has found if that is the better map; the same on all ranks.
-// own: the edges of this rank's tiles, and their work; that of other tiles is below 0.
+// own: the edges of this rank's tiles, and their work; the work of other tiles is below 0.
 TileOwners balanced_owners(Ranks& ranks, TileGraph own);
 
 // The rank of each tile.

@@ -1,4 +1,3 @@
-#include "contacts/history_hash.hpp"
 #include "ranks/balanced_owners.hpp"
 #include "ranks/row_routes.hpp"
 #include "state/scene_message.hpp"
@@ -208,9 +207,9 @@ SimulationParts::Pairs SimulationParts::all_pairs() {
 
 void SimulationParts::add_histories(StateHash& hash) {
   // Threads that save a state may not send messages, and have gathered the pairs before.
-  if (pairs_are_gathered) return scree::add_histories(hash, *gathered_contacts, particles.order(), nullptr);
+  if (pairs_are_gathered) return gathered_contacts->add_to_hash(hash, particles.order(), nullptr);
   command(RankCommand::add_histories);
-  scree::add_histories(hash, contacts, particles.order(), share ? &*share : nullptr);
+  contacts.add_to_hash(hash, particles.order(), share ? &*share : nullptr);
 }
 
 SimulationParts::PairCounts SimulationParts::count_pairs() {

@@ -62,7 +62,7 @@ void check_dealt(const TileGraph& graph, const TileMap& proposed, const TileMap&
 
 }  // namespace
 
-TEST_CASE("pairs across and the work of the busiest rank are those of a map", "[ranks]") {
+TEST_CASE("a map has pairs across and a busiest rank", "[ranks]") {
   TileGraph graph = two_rows();
   CHECK(scree::pairs_across(graph, both_rows) == 610);
   CHECK(scree::pairs_across(graph, across_rows) == 30);

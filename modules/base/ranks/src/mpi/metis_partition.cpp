@@ -30,7 +30,7 @@ class KeptHandlers {
   std::array<struct sigaction, 2> before_ = {};
 };
 
-// Each edge from both of its tiles: those of tile t are [start[t], start[t + 1]).
+// Each edge from both of its tiles; tile t has the edges [start[t], start[t + 1]).
 struct Adjacency {
   std::vector<idx_t> start, neighbours, pairs;
 };

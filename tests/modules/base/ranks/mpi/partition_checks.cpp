@@ -13,7 +13,7 @@ volatile std::sig_atomic_t requests = 0;
 
 void on_signal(int) { requests = requests + 1; }
 
-// Tiles on a square, row by row, with many pairs along the columns; those of the left half have twice the
+// Tiles on a square, row by row, with many pairs along the columns; tiles of the left half have twice the
 // work.
 TileGraph square(std::uint32_t side) {
   TileGraph graph;
@@ -37,7 +37,7 @@ void check_map(const TileGraph& graph, const std::vector<std::uint32_t>& map, un
   std::vector<double> work(ranks, 0);
   double all = 0;
   for (std::size_t tile = 0; tile < map.size(); ++tile) {
-    if (map[tile] >= ranks) return checks.require(false, "a rank of those that there are");
+    if (map[tile] >= ranks) return checks.require(false, "only ranks below their number");
     work[map[tile]] += graph.work[tile], all += graph.work[tile];
   }
   checks.require(*std::max_element(work.begin(), work.end()) < 1.1 * all / ranks, "about the same work");

@@ -1,6 +1,6 @@
-#include "contacts/history_hash.hpp"
-
+#include "contacts/contacts.hpp"
 #include "ranks/messages.hpp"
+#include "ranks/rank_share.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -23,8 +23,8 @@ struct KeptNumber {
   double value;
 };
 
-void append(std::vector<KeptNumber>& numbers, const Contacts& contacts, const PairGroup& group,
-            std::size_t pair, const BodyOrder& order) {
+void add_kept(std::vector<KeptNumber>& numbers, const Contacts& contacts, const PairGroup& group,
+              std::size_t pair, const BodyOrder& order) {
   const std::uint32_t b = group.planes ? contacts.b[pair] : order.number(contacts.b[pair]);
   for (std::uint32_t k = 0; k < group.history_width; ++k)
     if (const double value = group.history_of(pair, k); value != 0)
@@ -46,14 +46,14 @@ std::vector<KeptNumber> joined(Ranks& ranks, std::vector<KeptNumber> numbers) {
 
 }  // namespace
 
-void add_histories(StateHash& hash, const Contacts& contacts, const BodyOrder& order, RankShare* share) {
-  for (const PairGroup& group : contacts.groups()) {
-    const std::vector<std::size_t> pairs = contacts.in_scene_order(group, order);
+void Contacts::add_to_hash(StateHash& hash, const BodyOrder& order, RankShare* share) const {
+  for (const PairGroup& group : groups_) {
+    const std::vector<std::size_t> pairs = in_scene_order(group, order);
     std::size_t next = 0;
-    for (std::size_t begin = 0; begin < contacts.bodies(); begin += bodies_at_once) {
+    for (std::size_t begin = 0; begin < tiles_.size(); begin += bodies_at_once) {
       std::vector<KeptNumber> numbers;
-      for (; next < pairs.size() && order.number(contacts.a[pairs[next]]) < begin + bodies_at_once; ++next)
-        append(numbers, contacts, group, pairs[next], order);
+      for (; next < pairs.size() && order.number(a[pairs[next]]) < begin + bodies_at_once; ++next)
+        add_kept(numbers, *this, group, pairs[next], order);
       if (share) numbers = joined(share->ranks, std::move(numbers));
       for (const KeptNumber& number : numbers) {
         hash.add(number.pair);
