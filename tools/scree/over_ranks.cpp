@@ -62,6 +62,7 @@ std::unique_ptr<PluginHost> host_of_rank(Ranks& all, const PluginOptions& option
 ExitStatus do_over_ranks(const OverRanks& options, const std::function<ExitStatus(Ranks*)>& work) {
   if (!options.asked) return work(nullptr);
   const std::atomic<bool>& interrupted = watch_for_interrupt();  // before mpirun passes signals on
+  print_reports(true);
   const std::unique_ptr<Ranks> all = ranks::join_ranks();
   if (all->size() == 1 && ranks::is_one_of_several_tasks()) {
     if (!ranks::is_first_task()) return ExitStatus::bad_input;
@@ -69,7 +70,6 @@ ExitStatus do_over_ranks(const OverRanks& options, const std::function<ExitStatu
         "the processes that mpirun or srun has started do not find each other; use mpirun of the MPI with which "
         "the program was built (modules/README.md), or srun --mpi=pmix");
   }
-  print_reports(true);
   const std::unique_ptr<PluginHost> host = host_of_rank(*all, options.plugins);
   if (!host) return ExitStatus::bad_input;
   if (all->rank() == 0) {
