@@ -13,6 +13,9 @@ namespace {
 // Of the work of the busiest rank, for which fewer pairs across do not make up.
 constexpr double more_work = 1.05;
 
+// Pairs across by which a map must be better: tiles that are dealt anew take time and memory.
+constexpr double fewer_pairs = 0.97;
+
 // With fewer tiles a rank there is nothing to choose: whole tiles cannot be balanced otherwise.
 constexpr std::size_t least_tiles = 3;
 
@@ -77,7 +80,8 @@ double largest_work(const TileGraph& graph, const TileMap& map, unsigned ranks) 
 bool is_better(const TileGraph& graph, const TileMap& map, const TileMap& than, unsigned ranks) {
   const double work = largest_work(graph, map, ranks), other_work = largest_work(graph, than, ranks);
   if (work > more_work * other_work) return false;
-  return pairs_across(graph, map) < pairs_across(graph, than) || other_work > more_work * work;
+  return double(pairs_across(graph, map)) < fewer_pairs * double(pairs_across(graph, than)) ||
+         other_work > more_work * work;
 }
 
 // So that ranks of one machine have tiles near each other, and tiles that are dealt anew mostly stay.

@@ -23,7 +23,8 @@ TileMap ranges_of_tiles(const std::vector<double>& work, unsigned ranks);
 // Pairs between tiles of different ranks, each of which takes messages, and the work of the busiest rank.
 std::uint64_t pairs_across(const TileGraph& graph, const TileMap& map);
 double largest_work(const TileGraph& graph, const TileMap& map, unsigned ranks);
-// Whether a map has fewer pairs across than another and hardly more work for the busiest rank, or far less.
+// Whether a map has clearly fewer pairs across than another and hardly more work for the busiest rank, or far
+// less.
 bool is_better(const TileGraph& graph, const TileMap& map, const TileMap& than, unsigned ranks);
 // The same map with ranks in the order of the mean numbers of their tiles.
 TileMap in_order_of_tiles(const TileMap& map, unsigned ranks);
