@@ -100,6 +100,13 @@ TEST_CASE("fewer pairs across do not make up for much more work of the busiest r
   check_dealt(graph, across_rows, both_rows, false);
 }
 
+TEST_CASE("a map that is hardly better is not taken", "[ranks]") {
+  // Of 100 pairs across 2 % fewer, and 4 % fewer.
+  const TileMap first = {0, 1, 1}, other = {0, 0, 1};
+  CHECK(!scree::is_better({{1, 0, 1}, {{0, 1, 100}, {1, 2, 98}}}, other, first, 2));
+  CHECK(scree::is_better({{1, 0, 1}, {{0, 1, 100}, {1, 2, 96}}}, other, first, 2));
+}
+
 TEST_CASE("more pairs across are taken for much less work of the busiest rank", "[ranks]") {
   // A tile with a third of the work, in the middle: 5 and 10.
   const TileGraph graph{{1, 1, 1, 1, 1, 5, 1, 1, 1, 1, 1}, {{4, 5, 10}, {5, 6, 100}}};
@@ -127,13 +134,15 @@ TEST_CASE("a partitioner is given the same graph for any owners before", "[ranks
   }
 }
 
-TEST_CASE("a partitioner is not asked about one rank or one or two tiles a rank", "[ranks]") {
+TEST_CASE("a partitioner is not asked about one rank, one or two tiles a rank, or bodies without pairs",
+          "[ranks]") {
   bool asked = false;
   const auto notice = [&](const TileGraph&) {
     asked = true;
     return across_rows;
   };
   for (const unsigned ranks : {1u, 5u}) dealt(ranks, two_rows(), notice);
+  dealt(4, {two_rows().work, {}}, notice);
   CHECK(!asked);
   dealt(4, two_rows(), notice);
   CHECK(asked);

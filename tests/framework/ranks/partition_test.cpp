@@ -76,7 +76,7 @@ TEST_CASE("tiles that a partitioner has dealt give the same bits", "[ranks]") {
     CHECK(!s.footprint().by_graph);
     const unsigned ranks = unsigned(dimension);
     for (const bool better : {true, false}) {
-      if (dimension == 2 && better) continue;  // of its few tiles, no map is better than consecutive ones
+      if (dimension == 2 && better) continue;  // no map of its few tiles is clearly better than ranges
       INFO(dimension << "D, " << ranks << " ranks, better: " << better);
       const Outcome outcome = over_partition(scene, ranks, better);
       REQUIRE(!outcome.proposed.empty());
