@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include <scree/simulation.hpp>
+#include <scree/state_transfer.hpp>
 
 // Scenes that several ranks compute, against the same scenes in one process.
 
@@ -27,7 +28,13 @@ constexpr int few_steps = scree::test::sanitized ? 10 : 60;
 State after_steps(const Scene& scene, Ranks* ranks, int steps) {
   Simulation s(scene, ranks);
   for (int k = 0; k < steps / 10; ++k) s.run(10, [] { return true; });
-  return s.state();
+  // Of the pairs of each rank; the hash in the state is of all pairs on the first.
+  const std::uint64_t hash = s.state_hash();
+  const State state = s.state();
+  std::uint64_t in_state = 0;
+  scree::StateTransfer::restoring_from(state).value("state_hash", "", in_state);
+  CHECK(hash == in_state);
+  return state;
 }
 
 // at_random: tiles are dealt to ranks anew after each search.
