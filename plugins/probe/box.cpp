@@ -24,6 +24,7 @@ struct BoxProbe {
   void describe(scree_probe_instance& instance) const {
     instance.column_count = std::uint32_t(3 * dimension + 3);
     instance.state_width = 3;
+    instance.total_count = 1;
   }
 
   scree::ColumnName column(std::uint32_t c) const {
@@ -49,6 +50,16 @@ struct BoxProbe {
     return nullptr;
   }
 
+  // Volume of the bodies whose centres are between the walls.
+  void accumulate(const scree_view& part, std::uint32_t, double* totals) const {
+    constexpr double pi = std::numbers::pi;
+    for (std::uint64_t i = part.part_begin; i < part.part_end; ++i) {
+      if (!is_between(part, i)) continue;
+      const double r = part.radius[i];
+      totals[0] += dimension == 2 ? pi * r * r : 4.0 / 3.0 * pi * r * r * r;
+    }
+  }
+
   void sample(const scree_view& view, const double* state, double* row) const {
     double lengths[3] = {1, 1, 1}, volume = 1;
     for (int k = 0; k < dimension; ++k) volume *= lengths[k] = length(view, k);
@@ -63,7 +74,7 @@ struct BoxProbe {
     double* last = row + 3 * dimension;
     last[0] = 2 * (stress[0] - stress[1]) / 3;
     last[1] = strain[0] - strain[1];
-    last[2] = solid_volume(view) / volume;
+    last[2] = view.totals[0] / volume;
   }
 
  private:
@@ -81,16 +92,6 @@ struct BoxProbe {
         return false;
     }
     return true;
-  }
-  double solid_volume(const scree_view& view) const {
-    constexpr double pi = std::numbers::pi;
-    double sum = 0;
-    for (std::uint64_t i = 0; i < view.body_count; ++i) {
-      if (!is_between(view, i)) continue;
-      const double r = view.radius[i];
-      sum += dimension == 2 ? pi * r * r : 4.0 / 3.0 * pi * r * r * r;
-    }
-    return sum;
   }
 };
 

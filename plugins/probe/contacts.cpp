@@ -1,8 +1,7 @@
 // Statistics of the contact network.
 
 #include <algorithm>
-#include <cmath>
-#include <vector>
+#include <iterator>
 
 #include <scree/plugin/probe.hpp>
 
@@ -24,48 +23,63 @@ struct ContactsProbe {
   }
 
   void describe(scree_probe_instance& instance) const {
-    instance.needs = SCREE_NEEDS_CONTACTS;
+    instance.needs = SCREE_NEEDS_CONTACTS | SCREE_NEEDS_CONTACT_COUNTS;
     instance.column_count = std::size(names);
     instance.leaves_out = 1;
+    instance.total_count = total_count;
+    instance.largest_count = 1;
   }
   scree::ColumnName column(std::uint32_t c) const { return {names[c], units[c], meanings[c]}; }
 
+  void accumulate(const scree_view& part, std::uint32_t, double* totals) const {
+    for (std::uint64_t c = 0; c < part.contact_count; ++c) {
+      if (!scree::counts_contact(part, c)) continue;
+      totals[contacts] += 1;
+      totals[sliding] += part.contact_sliding[c];
+      totals[overlap] += part.contact_overlap[c];
+      totals[largest_overlap] = std::max(totals[largest_overlap], part.contact_overlap[c]);
+      for (int k = 0; k < 3; ++k)
+        totals[normal_force] += part.contact_force[3 * c + k] * part.contact_normal[3 * c + k];
+    }
+    // All contacts of a body that counts do.
+    for (std::uint64_t i = part.part_begin; i < part.part_end; ++i) {
+      if (!scree::counts(part, i) || (part.fixed && part.fixed[i])) continue;
+      const std::uint32_t n = part.contacts_of_body[i];
+      totals[bodies] += 1;
+      totals[ends] += n;
+      if (n >= rattler_below) continue;
+      totals[rattlers] += 1;
+      totals[ends_of_rattlers] += n;
+    }
+  }
+
   void sample(const scree_view& view, const double*, double* row) const {
-    const auto is_free = [&](std::uint64_t i) {
-      return scree::counts(view, i) && (!view.fixed || !view.fixed[i]);
-    };
-    double contacts = 0, ends = 0, free = 0, rattlers = 0, ends_of_rattlers = 0, sliding = 0, overlap = 0,
-           largest = 0, force = 0;
-    std::vector<std::uint32_t> coordination(view.body_count, 0);
-    for (std::uint64_t c = 0; c < view.contact_count; ++c) {
-      if (!scree::counts_contact(view, c)) continue;
-      ++contacts;
-      ++coordination[view.contact_a[c]];
-      if (view.contact_b[c] < view.body_count) ++coordination[view.contact_b[c]];
-      sliding += view.contact_sliding[c];
-      overlap += view.contact_overlap[c];
-      largest = std::max(largest, view.contact_overlap[c]);
-      for (int k = 0; k < 3; ++k) force += view.contact_force[3 * c + k] * view.contact_normal[3 * c + k];
-    }
-    for (std::uint64_t i = 0; i < view.body_count; ++i) {
-      if (!is_free(i)) continue;
-      const std::uint32_t n = coordination[i];
-      ++free, ends += n;
-      if (n < rattler_below) ++rattlers, ends_of_rattlers += n;
-    }
+    const double* const t = view.totals;
     const auto ratio = [](double a, double b) { return b > 0 ? a / b : 0; };
-    const double values[] = {contacts,
-                             ratio(ends, free),
-                             ratio(ends - ends_of_rattlers, free - rattlers),
-                             ratio(sliding, contacts),
-                             ratio(overlap, contacts),
-                             largest,
-                             ratio(force, contacts),
-                             rattlers};
+    const double values[] = {t[contacts],
+                             ratio(t[ends], t[bodies]),
+                             ratio(t[ends] - t[ends_of_rattlers], t[bodies] - t[rattlers]),
+                             ratio(t[sliding], t[contacts]),
+                             ratio(t[overlap], t[contacts]),
+                             std::max(0.0, t[largest_overlap]),
+                             ratio(t[normal_force], t[contacts]),
+                             t[rattlers]};
     std::copy(std::begin(values), std::end(values), row);
   }
 
  private:
+  enum Total {
+    contacts,
+    sliding,
+    overlap,
+    normal_force,
+    bodies,
+    ends,
+    rattlers,
+    ends_of_rattlers,
+    largest_overlap,
+    total_count
+  };
   static constexpr const char* names[] = {"contacts",
                                           "coordination_number",
                                           "coordination_without_rattlers",

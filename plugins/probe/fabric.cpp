@@ -1,7 +1,5 @@
 // How the normals of contacts are distributed over directions.
 
-#include <vector>
-
 #include <scree/plugin/contact_line.hpp>
 #include <scree/plugin/space_bins.hpp>
 #include <scree/plugin/tensor_columns.hpp>
@@ -32,6 +30,8 @@ struct FabricProbe {
     instance.needs = SCREE_NEEDS_CONTACTS;
     instance.column_count = (tensor.count() + 1) * std::uint32_t(bins.bins);
     instance.leaves_out = 1;
+    instance.total_count = bins.totals() + per_bin * std::uint32_t(bins.bins);
+    instance.passes = bins.passes() + 1;
   }
   scree::ColumnName column(std::uint32_t c) const {
     const std::uint32_t bin = c / (tensor.count() + 1), k = c % (tensor.count() + 1);
@@ -42,24 +42,34 @@ struct FabricProbe {
   }
   std::string start(const scree_view& view, double*) const { return bins.problem(view); }
 
-  void sample(const scree_view& view, const double*, double* row) const {
-    const scree::AveragingFrame frame = bins.frame(view);
-    std::vector<scree::SymmetricTensor> fabric(std::size_t(frame.bins));
-    std::vector<double> contacts(fabric.size(), 0);
-    for (std::uint64_t c = 0; c < view.contact_count; ++c) {
-      if (!scree::counts_contact(view, c) || (!walls && view.contact_b[c] >= view.body_count)) continue;
-      const scree::ContactLine line(view, c);
+  void accumulate(const scree_view& part, std::uint32_t pass, double* totals) const {
+    if (bins.finds_followed(part, pass, totals)) return;
+    const scree::AveragingFrame frame = bins.frame(part);
+    for (std::uint64_t c = 0; c < part.contact_count; ++c) {
+      if (!scree::counts_contact(part, c) || (!walls && part.contact_b[c] >= part.body_count)) continue;
+      const scree::ContactLine line(part, c);
       const int bin = frame.bin_of(line.point());
       if (bin < 0) continue;
-      contacts[std::size_t(bin)] += 1;
-      fabric[std::size_t(bin)].add(1, line.normal, line.normal);
-    }
-    for (std::size_t bin = 0; bin < fabric.size(); ++bin) {
-      fabric[bin].scale(1 / contacts[bin]);
-      *row++ = contacts[bin];
-      row = tensor.write(fabric[bin], row);
+      double* const of_bin = totals + bins.totals() + per_bin * std::uint32_t(bin);
+      scree::SymmetricTensor product;
+      product.add(1, line.normal, line.normal);
+      of_bin[0] += 1;
+      product.add_to(of_bin + 1);
     }
   }
+  void sample(const scree_view& view, const double*, double* row) const {
+    for (int bin = 0; bin < bins.bins; ++bin) {
+      const double* const of_bin = view.totals + bins.totals() + per_bin * std::uint32_t(bin);
+      auto fabric = scree::SymmetricTensor::of(of_bin + 1);
+      fabric.scale(1 / of_bin[0]);
+      *row++ = of_bin[0];
+      row = tensor.write(fabric, row);
+    }
+  }
+
+ private:
+  // Totals of a bin: number of contacts, sum of products.
+  static constexpr std::uint32_t per_bin = 1 + scree::SymmetricTensor::count;
 };
 
 }  // namespace

@@ -2,34 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
+#include <iterator>
 
 #include <scree/plugin/contact_line.hpp>
 #include <scree/plugin/space_bins.hpp>
 
 namespace {
-
-// One component of the forces: its mean, powers over the mean, and P(f).
-struct Distribution {
-  std::vector<double> values;
-
-  double mean() const { return moment(1, 1); }
-  // ⟨f^n⟩/⟨f⟩^n, with the mean given.
-  double moment(int power, double mean) const {
-    double sum = 0;
-    for (const double f : values) sum += std::pow(f / mean, power);
-    return sum / double(values.size());
-  }
-  // Writes the probability densities of f/⟨f⟩ in classes from 0 to `largest`, and returns the end.
-  double* write_classes(double mean, int classes, double largest, double* row) const {
-    std::vector<double> counts(std::size_t(classes), 0);
-    const double width = largest / classes;
-    for (const double f : values)
-      if (const double k = std::floor(f / mean / width); k >= 0 && k < classes) counts[std::size_t(k)] += 1;
-    for (const double count : counts) *row++ = count / (double(values.size()) * width);
-    return row;
-  }
-};
 
 struct ForcesProbe {
   scree::SpaceBins region;
@@ -55,6 +33,9 @@ struct ForcesProbe {
     instance.needs = SCREE_NEEDS_CONTACTS;
     instance.column_count = std::size(names) + 2 * std::uint32_t(classes);
     instance.leaves_out = 1;
+    instance.total_count = region.totals() + sum_count + 2 * per_component() + 1;
+    instance.largest_count = 1;
+    instance.passes = region.passes() + 2;
   }
   scree::ColumnName column(std::uint32_t c) const {
     if (c < std::size(names)) return {names[c], units[c], meanings[c]};
@@ -64,33 +45,67 @@ struct ForcesProbe {
   }
   std::string start(const scree_view& view, double*) const { return region.problem(view); }
 
-  void sample(const scree_view& view, const double*, double* row) const {
-    const scree::AveragingFrame frame = region.frame(view);
-    Distribution normal, tangential, mobilised;
-    for (std::uint64_t c = 0; c < view.contact_count; ++c) {
-      if (!scree::counts_contact(view, c) || (!walls && view.contact_b[c] >= view.body_count)) continue;
-      const scree::ContactLine line(view, c);
+  void accumulate(const scree_view& part, std::uint32_t pass, double* totals) const {
+    if (region.finds_followed(part, pass, totals)) return;
+    const scree::AveragingFrame frame = region.frame(part);
+    const double* const before = part.totals + region.totals();
+    for (std::uint64_t c = 0; c < part.contact_count; ++c) {
+      if (!scree::counts_contact(part, c) || (!walls && part.contact_b[c] >= part.body_count)) continue;
+      const scree::ContactLine line(part, c);
       if (frame.bin_of(line.point()) < 0) continue;
       const double f_n = dot(line.force, line.normal);
       const double f_t = norm(line.force - f_n * line.normal);
-      normal.values.push_back(f_n);
-      tangential.values.push_back(f_t);
-      if (f_n > 0) mobilised.values.push_back(f_t / f_n);
+      if (pass == region.passes()) {
+        add_to_means(f_n, f_t, totals);
+      } else {
+        add_to_distribution(f_n / (before[normal] / before[contacts]), distribution(totals, 0));
+        add_to_distribution(f_t / (before[tangential] / before[contacts]), distribution(totals, 1));
+      }
     }
-    const double mean_n = normal.mean(), mean_t = tangential.mean();
-    *row++ = double(normal.values.size());
-    *row++ = mean_n;
-    *row++ = mean_t;
-    for (int power = 2; power <= 4; ++power) *row++ = normal.moment(power, mean_n);
-    for (int power = 2; power <= 4; ++power) *row++ = tangential.moment(power, mean_t);
-    *row++ = mobilised.mean();
-    *row++ = mobilised.values.empty() ? std::nan("")
-                                      : *std::max_element(mobilised.values.begin(), mobilised.values.end());
-    row = normal.write_classes(mean_n, classes, largest, row);
-    tangential.write_classes(mean_t, classes, largest, row);
+  }
+
+  void sample(const scree_view& view, const double*, double* row) const {
+    const double* const sums = view.totals + region.totals();
+    const double n = sums[contacts], largest_mobilised = distribution(view.totals, 2)[0];
+    *row++ = n;
+    *row++ = sums[normal] / n;
+    *row++ = sums[tangential] / n;
+    for (const std::uint32_t component : {0u, 1u})
+      for (std::uint32_t k = 0; k < moments; ++k) *row++ = distribution(view.totals, component)[k] / n;
+    *row++ = sums[mobilised] / sums[repulsive];
+    *row++ = sums[repulsive] > 0 ? largest_mobilised : std::nan("");
+    for (const std::uint32_t component : {0u, 1u})
+      for (int k = 0; k < classes; ++k)
+        *row++ = distribution(view.totals, component)[moments + std::uint32_t(k)] / (n * largest / classes);
   }
 
  private:
+  // Totals behind those of the region: of the means; of the normal and of the tangential forces over their
+  // means the sums of powers 2, 3 and 4 and the numbers in classes; the largest mobilised friction.
+  enum Sum : std::uint32_t { contacts, normal, tangential, repulsive, mobilised, sum_count };
+  static constexpr std::uint32_t moments = 3;
+  std::uint32_t per_component() const { return moments + std::uint32_t(classes); }
+  template <class Number>
+  Number* distribution(Number* totals, std::uint32_t component) const {
+    return totals + region.totals() + sum_count + component * per_component();
+  }
+  void add_to_means(double f_n, double f_t, double* totals) const {
+    double* const sums = totals + region.totals();
+    double& largest_mobilised = distribution(totals, 2)[0];
+    sums[contacts] += 1;
+    sums[normal] += f_n;
+    sums[tangential] += f_t;
+    if (!(f_n > 0)) return;
+    sums[repulsive] += 1;
+    sums[mobilised] += f_t / f_n;
+    largest_mobilised = std::max(largest_mobilised, f_t / f_n);
+  }
+  void add_to_distribution(double f, double* sums) const {
+    for (std::uint32_t k = 0; k < moments; ++k) sums[k] += std::pow(f, k + 2);
+    if (const double k = std::floor(f / (largest / classes)); k >= 0 && k < classes)
+      sums[moments + std::uint32_t(k)] += 1;
+  }
+
   static constexpr const char* names[] = {"contacts",
                                           "normal_mean",
                                           "tangential_mean",

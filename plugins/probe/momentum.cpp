@@ -1,5 +1,7 @@
 // Total momentum and angular momentum of the bodies.
 
+#include <algorithm>
+
 #include <scree/plugin/probe.hpp>
 #include <scree/plugin/vec.hpp>
 
@@ -24,7 +26,7 @@ struct MomentumProbe {
   void prepare(const scree::Setup& setup) { dimension = setup.dimension(); }
 
   void describe(scree_probe_instance& instance) const {
-    instance.column_count = dimension == 2 ? 3 : 6;
+    instance.column_count = instance.total_count = dimension == 2 ? 3 : 6;
     instance.leaves_out = 1;
   }
 
@@ -39,19 +41,22 @@ struct MomentumProbe {
             linear ? "of all bodies" : "of all bodies, with respect to the point about"};
   }
 
-  void sample(const scree_view& view, const double*, double* row) const {
+  void accumulate(const scree_view& part, std::uint32_t, double* totals) const {
     Vec3 linear = {}, angular = {};
-    for (std::uint64_t i = 0; i < view.body_count; ++i) {
-      if (!scree::counts(view, i)) continue;
-      Vec3 arm = vector_of(view.position, i);
+    for (std::uint64_t i = part.part_begin; i < part.part_end; ++i) {
+      if (!scree::counts(part, i)) continue;
+      Vec3 arm = vector_of(part.position, i);
       for (int k = 0; k < dimension; ++k) arm[k] -= about_point[std::size_t(k)];
-      const Vec3 p = view.mass[i] * vector_of(view.velocity, i);
+      const Vec3 p = part.mass[i] * vector_of(part.velocity, i);
       linear += p;
       angular += cross(arm, p);
-      if (view.inertia) angular += view.inertia[i] * vector_of(view.spin, i);
+      if (part.inertia) angular += part.inertia[i] * vector_of(part.spin, i);
     }
-    for (int k = 0; k < dimension; ++k) *row++ = linear[k];
-    for (int k = dimension == 2 ? 2 : 0; k < 3; ++k) *row++ = angular[k];
+    for (int k = 0; k < dimension; ++k) *totals++ += linear[k];
+    for (int k = dimension == 2 ? 2 : 0; k < 3; ++k) *totals++ += angular[k];
+  }
+  void sample(const scree_view& view, const double*, double* row) const {
+    std::copy_n(view.totals, dimension == 2 ? 3 : 6, row);
   }
 };
 

@@ -1,7 +1,5 @@
 // Which part of space bodies fill.
 
-#include <vector>
-
 #include <scree/plugin/space_bins.hpp>
 
 namespace {
@@ -21,6 +19,8 @@ struct SolidFractionProbe {
   void describe(scree_probe_instance& instance) const {
     instance.column_count = 2 * std::uint32_t(bins.bins);
     instance.leaves_out = 1;
+    instance.total_count = bins.totals() + std::uint32_t(bins.bins);
+    instance.passes = bins.passes() + 1;
   }
   scree::ColumnName column(std::uint32_t c) const {
     if (c % 2 == 0)
@@ -29,16 +29,21 @@ struct SolidFractionProbe {
   }
   std::string start(const scree_view& view, double*) const { return bins.problem(view); }
 
+  void accumulate(const scree_view& part, std::uint32_t pass, double* totals) const {
+    if (bins.finds_followed(part, pass, totals)) return;
+    const scree::AveragingFrame frame = bins.frame(part);
+    double* const filled = totals + bins.totals();
+    for (std::uint64_t i = part.part_begin; i < part.part_end; ++i)
+      if (scree::counts(part, i))
+        frame.split_sphere(scree::vector_of(part.position, i), part.radius[i],
+                           [&](int bin, double volume) { filled[bin] += volume; });
+  }
   void sample(const scree_view& view, const double*, double* row) const {
     const scree::AveragingFrame frame = bins.frame(view);
-    std::vector<double> filled(std::size_t(frame.bins), 0);
-    for (std::uint64_t i = 0; i < view.body_count; ++i)
-      if (scree::counts(view, i))
-        frame.split_sphere(scree::vector_of(view.position, i), view.radius[i],
-                           [&](int bin, double volume) { filled[std::size_t(bin)] += volume; });
+    const double* const filled = view.totals + bins.totals();
     for (int bin = 0; bin < frame.bins; ++bin) {
       const double volume = frame.volume(bin);
-      *row++ = filled[std::size_t(bin)] / volume;
+      *row++ = filled[bin] / volume;
       *row++ = volume;
     }
   }

@@ -10,6 +10,7 @@
 namespace {
 
 using scree::AveragingFrame;
+using scree::BinMotion;
 using scree::SymmetricTensor;
 using scree::Vec3;
 
@@ -40,6 +41,9 @@ struct StressProbe {
     instance.needs = kinetic == only ? 0 : SCREE_NEEDS_CONTACTS;
     instance.column_count = tensor.count() * std::uint32_t(bins.bins);
     instance.leaves_out = 1;
+    instance.total_count =
+        motion_at() + (kinetic == without ? 0 : BinMotion::width) * std::uint32_t(bins.bins);
+    instance.passes = bins.passes() + (kinetic == without ? 1 : 2);
   }
   scree::ColumnName column(std::uint32_t c) const {
     scree::ColumnName name = tensor.name(c % tensor.count());
@@ -48,34 +52,50 @@ struct StressProbe {
   }
   std::string start(const scree_view& view, double*) const { return bins.problem(view); }
 
+  void accumulate(const scree_view& part, std::uint32_t pass, double* totals) const {
+    if (bins.finds_followed(part, pass, totals)) return;
+    const AveragingFrame frame = bins.frame(part);
+    std::vector<SymmetricTensor> stress(std::size_t(frame.bins));
+    if (pass > bins.passes()) {
+      add_motion(part, frame, stress);
+    } else {
+      if (kinetic != without) BinMotion::add(part, frame, totals + motion_at());
+      if (kinetic != only) add_contacts(part, frame, stress);
+    }
+    for (std::size_t bin = 0; bin < stress.size(); ++bin)
+      stress[bin].add_to(totals + bins.totals() + SymmetricTensor::count * bin);
+  }
   void sample(const scree_view& view, const double*, double* row) const {
     const AveragingFrame frame = bins.frame(view);
-    std::vector<SymmetricTensor> stress(std::size_t(frame.bins));
-    if (kinetic != only) add_contacts(view, frame, stress);
-    if (kinetic != without) add_motion(view, frame, stress);
     for (int bin = 0; bin < frame.bins; ++bin) {
-      stress[std::size_t(bin)].scale(1 / frame.volume(bin));
-      row = tensor.write(stress[std::size_t(bin)], row);
+      auto stress =
+          SymmetricTensor::of(view.totals + bins.totals() + SymmetricTensor::count * std::uint32_t(bin));
+      stress.scale(1 / frame.volume(bin));
+      row = tensor.write(stress, row);
     }
   }
 
  private:
-  void add_contacts(const scree_view& view, const AveragingFrame& frame,
-                    std::vector<SymmetricTensor>& stress) const {
-    for (std::uint64_t c = 0; c < view.contact_count; ++c) {
-      const scree::ContactLine line(view, c);
-      line.each_part(view, [&](const Vec3& start, const Vec3& step) {
+  // Totals: of the region, the tensor of each bin, and for the kinetic part the means of each bin.
+  std::uint32_t motion_at() const {
+    return bins.totals() + SymmetricTensor::count * std::uint32_t(bins.bins);
+  }
+  static void add_contacts(const scree_view& part, const AveragingFrame& frame,
+                           std::vector<SymmetricTensor>& stress) {
+    for (std::uint64_t c = 0; c < part.contact_count; ++c) {
+      const scree::ContactLine line(part, c);
+      line.each_part(part, [&](const Vec3& start, const Vec3& step) {
         frame.split_line(start, step, [&](int bin, double share) {
           stress[std::size_t(bin)].add(share, line.force, step);
         });
       });
     }
   }
-  void add_motion(const scree_view& view, const AveragingFrame& frame,
+  void add_motion(const scree_view& part, const AveragingFrame& frame,
                   std::vector<SymmetricTensor>& stress) const {
-    scree::BinMotion(view, frame)
-        .each_body(view, [&](std::uint64_t i, std::size_t bin, const Vec3& v, const Vec3&) {
-          stress[bin].add(view.mass[i], v, v);
+    BinMotion(part.totals + motion_at())
+        .each_body(part, frame, [&](std::uint64_t i, std::size_t bin, const Vec3& v, const Vec3&) {
+          stress[bin].add(part.mass[i], v, v);
         });
   }
 };

@@ -26,6 +26,8 @@ struct UnbalancedForceProbe {
     instance.needs = SCREE_NEEDS_CONTACTS;
     instance.column_count = 3;
     instance.leaves_out = 1;
+    instance.total_count = total_count;
+    instance.largest_count = 1;
   }
   scree::ColumnName column(std::uint32_t c) const {
     static constexpr const char* names[] = {"mean", "largest", "mean_contact_force"};
@@ -36,29 +38,34 @@ struct UnbalancedForceProbe {
     return {names[c], units[c], meanings[c]};
   }
 
-  void sample(const scree_view& view, const double*, double* row) const {
-    double sum = 0, largest = 0, force = 0, contacts = 0, bodies = 0;
-    for (std::uint64_t i = 0; i < view.body_count; ++i) {
-      if (!scree::counts(view, i) || (view.fixed && view.fixed[i])) continue;
-      Vec3 moving = vector_of(view.force, i);
-      for (int k = 0; view.held && k < 3; ++k)
-        if (view.held[i] >> k & 1u) moving[k] = 0;
+  void accumulate(const scree_view& part, std::uint32_t, double* totals) const {
+    for (std::uint64_t i = part.part_begin; i < part.part_end; ++i) {
+      if (!scree::counts(part, i) || (part.fixed && part.fixed[i])) continue;
+      Vec3 moving = vector_of(part.force, i);
+      for (int k = 0; part.held && k < 3; ++k)
+        if (part.held[i] >> k & 1u) moving[k] = 0;
       const double net = norm(moving);
-      sum += net;
-      largest = std::max(largest, net);
-      ++bodies;
+      totals[bodies] += 1;
+      totals[net_force] += net;
+      totals[largest_net_force] = std::max(totals[largest_net_force], net);
     }
-    for (std::uint64_t c = 0; c < view.contact_count; ++c) {
-      if (!scree::counts_contact(view, c)) continue;
-      const double* f = view.contact_force + 3 * c;
-      ++contacts;
-      force += std::sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
+    for (std::uint64_t c = 0; c < part.contact_count; ++c) {
+      if (!scree::counts_contact(part, c)) continue;
+      const double* f = part.contact_force + 3 * c;
+      totals[contacts] += 1;
+      totals[contact_force] += std::sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
     }
-    const double mean = force / contacts;  // NaN without contacts
-    row[0] = sum / bodies / mean;
-    row[1] = largest / mean;
+  }
+  void sample(const scree_view& view, const double*, double* row) const {
+    const double* const totals = view.totals;
+    const double mean = totals[contact_force] / totals[contacts];  // NaN without contacts
+    row[0] = totals[net_force] / totals[bodies] / mean;
+    row[1] = std::max(0.0, totals[largest_net_force]) / mean;
     row[2] = mean;
   }
+
+ private:
+  enum Total { bodies, net_force, contacts, contact_force, largest_net_force, total_count };
 };
 
 }  // namespace

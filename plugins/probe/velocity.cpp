@@ -24,6 +24,8 @@ struct VelocityProbe {
   void describe(scree_probe_instance& instance) const {
     instance.column_count = per_bin() * std::uint32_t(bins.bins);
     instance.leaves_out = 1;
+    instance.total_count = bins.totals() + scree::BinMotion::width * std::uint32_t(bins.bins);
+    instance.passes = bins.passes() + 1;
   }
   scree::ColumnName column(std::uint32_t c) const {
     static constexpr const char* spatial[] = {"bodies", "x", "y", "z", "spin_x", "spin_y", "spin_z"};
@@ -37,12 +39,17 @@ struct VelocityProbe {
   }
   std::string start(const scree_view& view, double*) const { return bins.problem(view); }
 
+  void accumulate(const scree_view& part, std::uint32_t pass, double* totals) const {
+    if (bins.finds_followed(part, pass, totals)) return;
+    scree::BinMotion::add(part, bins.frame(part), totals + bins.totals());
+  }
   void sample(const scree_view& view, const double*, double* row) const {
-    const scree::BinMotion motion(view, bins.frame(view));
-    for (const scree::BinMotion::Sums& bin : motion.bins) {
-      *row++ = bin.bodies;
-      for (int k = 0; k < dimension; ++k) *row++ = bin.velocity()[k];
-      for (int k = dimension == 2 ? 2 : 0; k < 3; ++k) *row++ = bin.mean_spin()[k];
+    const scree::BinMotion motion(view.totals + bins.totals());
+    for (int bin = 0; bin < bins.bins; ++bin) {
+      const scree::BinMotion::Sums sums = motion[std::size_t(bin)];
+      *row++ = sums.bodies;
+      for (int k = 0; k < dimension; ++k) *row++ = sums.velocity()[k];
+      for (int k = dimension == 2 ? 2 : 0; k < 3; ++k) *row++ = sums.mean_spin()[k];
     }
   }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
@@ -36,9 +37,7 @@ class SimulationView {
   const scree_view& get() const { return view_; }
 
  private:
-  void show_bodies(const Simulation& simulation, const ListedBodies& listed);
   void show_boundaries(const Simulation& simulation);
-  void show_contacts(const Simulation& simulation);
 
   ContactList contacts_;
   scree_energy energy_;
@@ -58,8 +57,12 @@ class Probe {
   std::vector<std::string> names() const { return names_; }
   std::vector<std::string> units() const { return units_; }
   std::vector<std::string> meanings() const;
+  // Of the scene.
   std::uint32_t needs() const { return plugin_.instance().needs; }
-  // The bodies that observe() and sample() read: marked by the plug-in once it has started, or all.
+  // Of the next view, where totals are given: after the start no bodies then.
+  std::uint32_t view_needs() const;
+  // The bodies that observe() and sample() read: marked by the plug-in once it has started, or all; none where
+  // totals are given.
   const ListedBodies& listed_bodies() const { return listed_; }
   // Whether observe() does anything.
   bool observes() const { return plugin_.instance().observes; }
@@ -69,11 +72,30 @@ class Probe {
   // Time between observations that the plug-in has chosen (s); 0 if it leaves that to the scenario.
   double observe_every() const { return plugin_.instance().observe_every; }
 
+  // Whether its columns follow from totals over the bodies and contacts of all parts of a scene.
+  bool has_totals() const { return plugin_.instance().total_count > 0; }
+  // The totals of all parts: of_pass(pass, before) adds up the parts in a pass, after `before` in earlier
+  // ones.
+  using OfPass = std::function<std::vector<double>(std::uint32_t pass, const std::vector<double>& before)>;
+  std::vector<double> totals(const OfPass& of_pass) const;
+  // What a part gives in a pass. Throws Error if the plug-in throws, or a largest value is NaN.
+  std::vector<double> totals_of_part(const scree_view& part, std::uint32_t pass) const;
+  // Of the totals, from this one on they are largest values.
+  std::size_t first_largest() const {
+    return plugin_.instance().total_count - plugin_.instance().largest_count;
+  }
+  // 1 for bodies, by number, that it does not count; empty: it counts all.
+  const std::vector<std::uint8_t>& left_out() const { return left_out_; }
+  const Parameters& parameters() const { return plugin_.parameters(); }
+  // Of this probe alone in this process.
+  std::uint64_t number() const { return number_; }
+
   // Updates the state. inputs: values of the columns of other probes that this one reads, in the order of
   // Parameters::inputs(). Throws Error, as sample() does, if the scene lacks what the probe reads.
   void observe(const scree_view& view, std::span<const double> inputs = {});
-  // One row of values.
-  std::vector<double> sample(const scree_view& view, std::span<const double> inputs = {});
+  // One row of values. totals: see Simulation::totals_of; empty: of all bodies and contacts of the view.
+  std::vector<double> sample(const scree_view& view, std::span<const double> inputs = {},
+                             std::vector<double> totals = {});
   // Throws Error if the scene lacks what the probe reads; leaves the state as it is. Returns the number of
   // bodies that it will read.
   std::size_t check(const scree_view& view) const;
@@ -93,10 +115,15 @@ class Probe {
   // The state at the start.
   std::vector<double> started(const scree_view& view) const;
   void start_once(const scree_view& view);
+  // Throws Error if what the plug-in says of its totals does not fit together.
+  void check_totals() const;
+  // With all bodies and contacts of the view as one part.
+  std::vector<double> totals_in(const scree_view& view) const;
   // The bodies that the plug-in marks, if these are not all.
   ListedBodies marked(const scree_view& view, const std::vector<double>& state) const;
 
   ConfiguredProbe plugin_;
+  std::uint64_t number_;
   std::vector<std::string> names_, units_;
   std::vector<std::uint8_t> left_out_;
   std::vector<double> state_;  // with a guard behind the numbers of the state

@@ -82,6 +82,8 @@ void Forces::bring_bodies_of_others(Particles& particles) {
   work_->halo->finish_records(particles);
 }
 
+void Forces::return_counts(BodyColumn<std::uint32_t>& counts) { work_->halo->return_counts(counts); }
+
 Forces::Foreign Forces::foreign() const {
   if (!share_) return {0, 0};
   return {work_->halo->foreign_bodies(), work_->halo->bytes_sent()};

@@ -78,6 +78,8 @@ class Forces {
   Foreign foreign() const;
   // Brings records of bodies of other ranks that pairs of this rank read, between evaluations.
   void bring_bodies_of_others(Particles& particles);
+  // Adds what this rank has counted of these bodies, by place, to the counts of their ranks.
+  void return_counts(BodyColumn<std::uint32_t>& counts);
 
   // Makes room for the listed pairs, as an evaluation does first; their forces are 0.
   void update_pairs(Particles& particles, const Contacts& contacts, std::uint32_t reads, std::size_t planes,

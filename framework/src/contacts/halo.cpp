@@ -204,6 +204,15 @@ void Halo::finish_loads(Particles& p) {
   }
 }
 
+void Halo::return_counts(BodyColumn<std::uint32_t>& counts) {
+  std::vector<double> sent, received(places_sent_.rows.size());
+  for (const std::uint32_t place : places_received_.rows) sent.push_back(counts[place]);
+  begin_messages(ranks_, places_received_.first, sent.data(), 1, places_sent_.first, received.data(), 1);
+  ranks_.finish();
+  for (std::size_t k = 0; k < received.size(); ++k)
+    counts[places_sent_.rows[k]] += std::uint32_t(received[k]);
+}
+
 std::size_t Halo::foreign_bodies() const { return places_received_.rows.size(); }
 
 }  // namespace scree

@@ -30,6 +30,9 @@ class Halo {
   void begin_loads(const Particles& particles);
   void finish_loads(Particles& particles);
 
+  // Adds what this rank has counted of bodies of other ranks, by place, to the counts of these ranks.
+  void return_counts(BodyColumn<std::uint32_t>& counts);
+
   // Of a tile of this rank: whether its pairs read bodies of other ranks, and whether loads come for it.
   bool reads_others(std::size_t tile) const { return reads_others_[tile]; }
   bool is_loaded_by_others(std::size_t tile) const { return loaded_by_others_[tile]; }

@@ -65,27 +65,57 @@ std::size_t count_touching(const Particles& p, const Contacts& contacts,
   return touching;
 }
 
-ContactList touching_contacts(const Particles& p, const Contacts& contacts, const PairColumns& forces,
-                              const std::vector<LawInstance>& laws, const std::vector<scree_plane>& planes,
-                              const Domain& domain, ListedPairs listed) {
-  const BodyOrder& order = p.order();
+void count_contacts(const Particles& p, const Contacts& contacts, const std::vector<scree_plane>& planes,
+                    const Domain& domain, BodyColumn<std::uint32_t>& counts) {
+  for (const PairGroup& group : contacts.groups())
+    group.each_pair([&](std::size_t q) {
+      if (!(meeting_of(p, contacts, group.planes, q, planes, domain).overlap > 0)) return;
+      ++counts[contacts.a[q]];
+      if (!group.planes) ++counts[contacts.b[q]];
+    });
+}
+
+namespace {
+
+// Adds a pair to a list if it belongs there; number: which number of a body, given its place, the list has.
+template <class Number>
+void add_pair(const PairsNow& now, const PairGroup& group, std::size_t q, ListedPairs listed,
+              const Number& number, ContactList& list) {
+  const auto& [p, contacts, forces, laws, planes, domain] = now;
+  const std::uint32_t a = contacts.a[q], b = contacts.b[q];
+  const auto [normal, overlap] = meeting_of(p, contacts, group.planes, q, planes, domain);
+  if (!(overlap > 0) && !(listed == ListedPairs::touching_or_loaded && is_loaded(forces, q))) return;
+  const int sliding_column = laws[group.law].interface.sliding_column;
+  list.a.push_back(number(a));
+  list.b.push_back(group.planes ? std::uint32_t(p.size()) + b : number(b));
+  append(list.normal, normal);
+  append(list.force, force_of(forces, q));
+  list.overlap.push_back(overlap);
+  list.sliding.push_back(sliding_column >= 0 && group.history_width > std::uint32_t(sliding_column) &&
+                         group.history_of(q, std::uint32_t(sliding_column)) > 0);
+  list.law.push_back(group.law);
+  list.pair.push_back(q);
+}
+
+}  // namespace
+
+ContactList touching_contacts(const PairsNow& now, ListedPairs listed) {
+  const BodyOrder& order = now.particles.order();
   ContactList list;
-  for (const PairGroup& group : contacts.groups()) {
-    const int sliding_column = laws[group.law].interface.sliding_column;
-    for (const std::size_t q : contacts.in_scene_order(group, order)) {
-      const std::uint32_t a = contacts.a[q], b = contacts.b[q];
-      const auto [normal, overlap] = meeting_of(p, contacts, group.planes, q, planes, domain);
-      if (!(overlap > 0) && !(listed == ListedPairs::touching_or_loaded && is_loaded(forces, q))) continue;
-      list.a.push_back(order.number(a));
-      list.b.push_back(group.planes ? std::uint32_t(p.size()) + b : order.number(b));
-      append(list.normal, normal);
-      append(list.force, force_of(forces, q));
-      list.overlap.push_back(overlap);
-      list.sliding.push_back(sliding_column >= 0 && group.history_width > std::uint32_t(sliding_column) &&
-                             group.history_of(q, std::uint32_t(sliding_column)) > 0);
-      list.law.push_back(group.law);
-      list.pair.push_back(q);
-    }
+  for (const PairGroup& group : now.contacts.groups())
+    for (const std::size_t q : now.contacts.in_scene_order(group, order))
+      add_pair(
+          now, group, q, listed, [&](std::uint32_t place) { return order.number(place); }, list);
+  return list;
+}
+
+ContactList touching_contacts_of(const PairsNow& now, std::size_t tile) {
+  ContactList list;
+  for (const PairGroup& group : now.contacts.groups()) {
+    if (group.runs.empty()) continue;
+    for (std::size_t q = group.runs[tile].begin; q < group.runs[tile].end; ++q)
+      add_pair(
+          now, group, q, ListedPairs::touching, [](std::uint32_t place) { return place; }, list);
   }
   return list;
 }

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include <scree/body_column.hpp>
 #include <scree/contact_list.hpp>
 #include <scree/domain.hpp>
 
@@ -15,12 +16,25 @@ namespace scree {
 enum class ListedPairs { touching, touching_or_loaded };
 
 // Pairs at the present positions, with the forces (N) of the last evaluation.
-ContactList touching_contacts(const Particles& particles, const Contacts& contacts, const PairColumns& forces,
-                              const std::vector<LawInstance>& laws, const std::vector<scree_plane>& planes,
-                              const Domain& domain, ListedPairs listed = ListedPairs::touching);
+struct PairsNow {
+  const Particles& particles;
+  const Contacts& contacts;
+  const PairColumns& forces;
+  const std::vector<LawInstance>& laws;
+  const std::vector<scree_plane>& planes;
+  const Domain& domain;
+};
+// In scene order, with bodies by number.
+ContactList touching_contacts(const PairsNow& now, ListedPairs listed = ListedPairs::touching);
+// Of the pairs of a tile those that touch, in the order of memory, with bodies by place.
+ContactList touching_contacts_of(const PairsNow& now, std::size_t tile);
 
 // Number of pairs that touch at the present positions.
 std::size_t count_touching(const Particles& particles, const Contacts& contacts,
                            const std::vector<scree_plane>& planes, const Domain& domain);
+// Adds the number of these of each body, by place.
+void count_contacts(const Particles& particles, const Contacts& contacts,
+                    const std::vector<scree_plane>& planes, const Domain& domain,
+                    BodyColumn<std::uint32_t>& counts);
 
 }  // namespace scree

@@ -1,11 +1,10 @@
+#include "plugins/guarded_numbers.hpp"
 #include "plugins/plugin_call.hpp"
 
 #include <algorithm>
-#include <array>
-#include <bit>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <set>
 #include <utility>
 
@@ -19,22 +18,6 @@ namespace scree {
 
 namespace {
 
-scree_energy no_energy() {
-  std::array<double, sizeof(scree_energy) / sizeof(double)> all;
-  all.fill(std::numeric_limits<double>::quiet_NaN());
-  return std::bit_cast<scree_energy>(all);
-}
-
-void point_to(scree_column (&columns)[3], const Vectors<const double>& vectors) {
-  for (int k = 0; k < 3; ++k) columns[k] = {vectors[k].data(), vectors[k].stride()};
-}
-
-std::vector<const char*> pointers_to(const std::vector<std::string>& names) {
-  std::vector<const char*> pointers;
-  for (const std::string& name : names) pointers.push_back(name.c_str());
-  return pointers;
-}
-
 // Names and units become the header of a CSV file, "name [unit],...".
 bool fits_csv(const std::string& text) {
   return std::none_of(text.begin(), text.end(), [](unsigned char c) {
@@ -44,77 +27,19 @@ bool fits_csv(const std::string& text) {
 
 }  // namespace
 
-SimulationView::SimulationView(const Simulation& s, std::uint32_t needs, double end_time,
-                               const ListedBodies& listed)
-    : energy_((needs & SCREE_NEEDS_ENERGY) && s.scene().audit ? s.energy() : no_energy()) {
-  view_.struct_size = sizeof(view_);
-  view_.dimension = std::uint32_t(s.dimension());
-  view_.time = s.time();
-  view_.step_length = s.step_length();
-  view_.step = s.steps();
-  view_.body_count = s.scene().bodies.size();
-  if (!(needs & SCREE_NEEDS_NO_BODIES)) show_bodies(s, listed);
-  show_boundaries(s);
-  if (needs & SCREE_NEEDS_CONTACTS) show_contacts(s);
-  view_.energy = &energy_;
-  view_.end_time = end_time;
-}
-
-void SimulationView::show_bodies(const Simulation& s, const ListedBodies& listed) {
-  const Particles& p = listed ? s.particles(*listed) : s.particles();
-  point_to(view_.position, p.position());
-  point_to(view_.velocity, p.velocity());
-  point_to(view_.spin, p.spin());
-  point_to(view_.force, p.force());
-  point_to(view_.torque, p.torque());
-  view_.radius = {p.radius().data(), p.radius().stride()};
-  view_.mass = {p.mass.data(), 1};
-  if (p.has_spin()) view_.inertia = {p.inertia.data(), 1};
-  for (int k = 0; k < p.orientations.components(); ++k)
-    view_.orientation[k] = {p.orientations[k].data(), p.orientations[k].stride()};
-  view_.id = p.id.data();
-  view_.material = p.material.data();
-  view_.fixed = p.fixed.empty() ? nullptr : p.fixed.data();
-  view_.held = p.held.empty() ? nullptr : p.held.data();
-  for (int k = 0; k < s.dimension() && s.domain().any_periodic(); ++k) view_.image[k] = p.image[k].data();
-}
-
-void SimulationView::show_boundaries(const Simulation& s) {
-  for (int k = 0; k < 3; ++k) {
-    view_.period[k] = s.domain().periodic[std::size_t(k)] ? s.domain().length(k) : 0;
-    view_.length[k] = s.lengths()[k];
-    view_.length_at_start[k] = s.lengths_at_start()[k];
-  }
-  plane_names_ = pointers_to(s.plane_names());
-  view_.plane_count = std::uint32_t(s.planes().size());
-  view_.planes = s.planes().data();
-  view_.loads = s.loads().data();
-  view_.plane_names = plane_names_.data();
-  material_names_ = pointers_to(s.scene().materials);
-  view_.material_count = std::uint32_t(material_names_.size());
-  view_.material_names = material_names_.data();
-  view_.plane_absent = s.absent_planes().data();
-}
-
-void SimulationView::show_contacts(const Simulation& s) {
-  contacts_ = s.contact_list();
-  view_.contact_count = contacts_.size();
-  view_.contact_a = contacts_.a.data();
-  view_.contact_b = contacts_.b.data();
-  view_.contact_normal = contacts_.normal.data();
-  view_.contact_overlap = contacts_.overlap.data();
-  view_.contact_force = contacts_.force.data();
-  view_.contact_sliding = contacts_.sliding.data();
-}
-
 Probe::Probe(const Parameters& parameters, int dimension, std::vector<std::uint8_t> left_out)
     : plugin_(parameters, dimension, no_bounds, no_bounds), left_out_(std::move(left_out)) {
+  static std::atomic<std::uint64_t> probes = 0;
+  number_ = probes++;
   const char* const plugin = parameters.plugin().name;
   if (observes() && !plugin_.interface().observe)
     throw Error(fmt::format("plug-in {}: asks to observe but has no observe function; give it one", plugin));
   if (!(observe_every() >= 0 && std::isfinite(observe_every())))
     throw Error(fmt::format("plug-in {}: observes every {} s; give a time above 0, or 0 for the scenario's",
                             plugin, observe_every()));
+  check_totals();
+  is_listed_ = has_totals();
+  if (has_totals()) listed_.emplace();
   std::set<std::string> taken;
   for (std::uint32_t c = 0; c < plugin_.instance().column_count; ++c) {
     char name[SCREE_MAX_NAME] = "", unit[SCREE_MAX_NAME] = "";
@@ -153,23 +78,8 @@ std::vector<std::string> Probe::meanings() const {
 
 namespace {
 
-// Numbers behind an array that a plug-in fills, which it must not change.
-constexpr std::size_t guard_size = 4;
-constexpr double guard = -6.02214076e-123;
 // Most numbers of a state: 8 GB.
 constexpr std::uint64_t max_state = 1'000'000'000;
-
-std::vector<double> guarded(std::size_t size) {
-  std::vector<double> numbers(size, 0.0);
-  numbers.insert(numbers.end(), guard_size, guard);
-  return numbers;
-}
-
-void check_guard(const std::vector<double>& numbers, const char* plugin, const char* what) {
-  if (std::all_of(numbers.end() - guard_size, numbers.end(), [](double x) { return x == guard; })) return;
-  throw Error(fmt::format("plug-in {}: writes beyond the {} of its {}; declare as many as it writes", plugin,
-                          counted(numbers.size() - guard_size, "number"), what));
-}
 
 }  // namespace
 
@@ -238,7 +148,7 @@ ListedBodies Probe::marked(const scree_view& view, const std::vector<double>& st
 
 std::size_t Probe::check(const scree_view& view) const {
   const std::vector<double> state = started(view);
-  if (needs() & SCREE_NEEDS_NO_BODIES) return 0;
+  if (has_totals() || (needs() & SCREE_NEEDS_NO_BODIES)) return 0;
   const ListedBodies listed = marked(view, state);
   return listed ? listed->size() : view.body_count;
 }
@@ -262,11 +172,15 @@ void Probe::observe(const scree_view& view, std::span<const double> inputs) {
   check_guard(state_, name, "state");
 }
 
-std::vector<double> Probe::sample(const scree_view& view, std::span<const double> inputs) {
+std::vector<double> Probe::sample(const scree_view& view, std::span<const double> inputs,
+                                  std::vector<double> totals) {
   start_once(view);
+  if (has_totals() && totals.empty()) totals = totals_in(view);
   std::vector<double> row = guarded(plugin_.instance().column_count);
   const char* const name = plugin_.parameters().plugin().name;
-  show(view, inputs, [&](const scree_view& shown) {
+  scree_view with_totals = view;
+  with_totals.totals = totals.data();
+  show(with_totals, inputs, [&](const scree_view& shown) {
     plugin_call(name, "sample",
                 [&] { plugin_.interface().sample(plugin_.storage(), &shown, state_.data(), row.data()); });
   });

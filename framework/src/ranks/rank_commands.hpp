@@ -22,6 +22,7 @@ enum class RankCommand : std::uint64_t {
   sum_energies,
   count_pairs,
   add_histories,
+  add_totals,  // of a probe
   change_law,
   change_boundary,
   change_body_force,

@@ -36,6 +36,13 @@ class RankSums {
       add(target, sum);
     }
   }
+  // Sets a number to a sum of tiles, of which each rank gives its part; -0 becomes 0.
+  void sum(double& target, const ExactSum& part) {
+    if (message_)
+      add(target, part);
+    else
+      target = part.value();
+  }
   // Sets a number, which must not be NaN, to the largest of all ranks.
   void largest(double& number) {
     if (message_) message_->largest.push_back(&number);

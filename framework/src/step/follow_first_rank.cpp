@@ -4,11 +4,13 @@
 #include "step/simulation_parts.hpp"
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <utility>
 
 #include <scree/error.hpp>
 #include <scree/follow_first_rank.hpp>
+#include <scree/probes.hpp>
 #include <scree/scene_record.hpp>
 #include <scree/simulation.hpp>
 #include <scree/state_hash.hpp>
@@ -51,8 +53,9 @@ Change change_of(const Entries& entries, const Lines& lines) {
 // One simulation on a rank that follows.
 class Follower {
  public:
-  Follower(Scene scene, const BodyFacts& bodies, Ranks& ranks, const std::function<bool()>& is_interrupted)
-      : ranks_(ranks), simulation_(std::make_unique<SimulationParts>(std::move(scene), bodies)) {
+  Follower(Scene scene, const BodyFacts& bodies, Ranks& ranks, PluginHost& host,
+           const std::function<bool()>& is_interrupted)
+      : ranks_(ranks), host_(host), simulation_(std::make_unique<SimulationParts>(std::move(scene), bodies)) {
     const State shared = received_state(ranks);
     parts_.share_with(ranks);
     parts_.transfer_shared(StateTransfer::restoring_from(shared));
@@ -99,6 +102,8 @@ class Follower {
         return void(parts_.count_pairs());
       case RankCommand::add_histories:
         return add_histories();
+      case RankCommand::add_totals:
+        return void(simulation_.totals_of(probe_of(lines)));
       default:
         return as_first_rank([&] { change(command, lines); });
     }
@@ -107,6 +112,20 @@ class Follower {
   void add_histories() {
     StateHash of_nothing;
     parts_.add_histories(of_nothing);
+  }
+
+  // The probe of a number, of which more is said the first time.
+  const Probe& probe_of(const Lines& lines) {
+    if (lines.size() > 1) {
+      std::uint64_t size = 0;
+      ranks_.broadcast(std::as_writable_bytes(std::span(&size, 1)));
+      std::vector<std::uint8_t> left_out(size);
+      ranks_.broadcast(std::as_writable_bytes(std::span(left_out)));
+      const scree_plugin& plugin = host_.find(lines[1], SCREE_PROBE);
+      probes_.emplace(lines[0], Probe(parameters_of(plugin, {lines.begin() + 2, lines.end()}),
+                                      simulation_.dimension(), std::move(left_out)));
+    }
+    return probes_.at(lines[0]);
   }
 
   void step_by_substeps() {
@@ -143,6 +162,8 @@ class Follower {
   }
 
   Ranks& ranks_;
+  PluginHost& host_;
+  std::map<std::string, Probe> probes_;  // by number on the first rank
   Simulation simulation_;
   SimulationParts& parts_ = *simulation_.parts_;
 };
@@ -157,7 +178,7 @@ void follow_first_rank(Ranks& ranks, PluginHost& host, unsigned threads,
     const State message = received_state(ranks);
     Scene scene = scene_of(message, host);
     scene.threads = threads;
-    Follower(std::move(scene), facts_in(message), ranks, is_interrupted).follow(RankCommand::end);
+    Follower(std::move(scene), facts_in(message), ranks, host, is_interrupted).follow(RankCommand::end);
   }
 }
 

@@ -223,7 +223,7 @@ ContactList Simulation::listed_contacts(bool loaded) const {
   SimulationParts& p = *parts_;
   p.in_scene_order();  // before the bodies are read
   const auto [contacts, forces] = p.all_pairs();
-  return touching_contacts(p.particles, contacts, forces, p.laws, planes(), domain(),
+  return touching_contacts({p.particles, contacts, forces, p.laws, planes(), domain()},
                            loaded ? ListedPairs::touching_or_loaded : ListedPairs::touching);
 }
 

@@ -19,6 +19,7 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include <scree/particles.hpp>
@@ -97,6 +98,8 @@ struct SimulationParts {
     std::size_t foreign_bodies, bytes_sent;
   };
   PairCounts count_pairs();
+  // Has the other ranks add up the totals of a probe; the first time, tells them what it is.
+  void command_totals(const class Probe& probe);
   void command_change(RankCommand command, const std::string& name, const Parameters& parameters,
                       const std::vector<std::string>& going_on) const;
   // Has the other ranks do something, if this is the first of several.
@@ -162,6 +165,7 @@ struct SimulationParts {
   std::optional<Contacts> gathered_contacts;
   PairColumns gathered_forces;
   std::vector<std::uint32_t> listed_bodies;  // that have been gathered last
+  std::set<std::uint64_t> sent_probes;       // that the other ranks know
   bool copy_is_current = false, bodies_are_gathered = false, pairs_are_gathered = false;
 };
 

@@ -97,12 +97,29 @@ TEST_CASE("probes that list bodies read no others", "[probe]") {
 
 TEST_CASE("probes of all bodies list none", "[probe]") {
   const Simulation s(lattice_in_box(3, 1));
-  for (const char* plugin : {"momentum", "mean_squared_displacement", "contacts"}) {
+  for (const char* plugin : {"mean_squared_displacement", "structure", "autocorrelation"}) {
     Probe probe = probe_of(plugin, {}, 3);
     INFO(plugin);
     const SimulationView view(s, probe.needs());
     CHECK(probe.check(view.get()) == s.scene().bodies.size());
     probe.observe(view.get());
     CHECK(!probe.listed_bodies());
+  }
+}
+
+TEST_CASE("probes that add up totals read no bodies but in their parts", "[probe]") {
+  Simulation s(lattice_in_box(3, 1));
+  s.run(20, [] { return true; });
+  for (const char* plugin : {"momentum", "contacts", "stress"}) {
+    Probe probe = probe_of(plugin, {}, 3);
+    INFO(plugin);
+    const SimulationView start(s, probe.view_needs(), NAN, probe.listed_bodies());
+    CHECK(probe.check(start.get()) == 0);
+    CHECK(start.get().contact_count == 0);
+    probe.sample(start.get(), {}, s.totals_of(probe));
+    const SimulationView walls(s, probe.view_needs(), NAN, probe.listed_bodies());
+    CHECK(walls.get().position[0].data == nullptr);
+    CHECK(probe.sample(walls.get(), {}, s.totals_of(probe)) ==
+          probe_of(plugin, {}, 3).sample(SimulationView(s, probe.needs()).get()));
   }
 }

@@ -5,7 +5,7 @@
  * fills it sets its `struct_size`; pointers are never NULL unless marked (optional); strings are UTF-8,
  * static, and owned by the plug-in; all quantities are in SI units; vectors have 3 components, of which the
  * third is 0 in 2D. Functions that can fail return 0 on success, else nonzero with one line of text in `message`. No
- * function is called from two threads on the same storage, except `evaluate` and `apply`, which only read it.
+ * function is called from two threads on the same storage, except `evaluate`, `apply` and `accumulate`, which only read it.
  * Plug-in authors use the C++ adapters contact_law.hpp, boundary.hpp, probe.hpp, body_force.hpp instead. */
 #ifndef SCREE_PLUGIN_ABI_H
 #define SCREE_PLUGIN_ABI_H

@@ -2,16 +2,16 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include <scree/plugin/averaging_frame.hpp>
 #include <scree/plugin/probe.hpp>
 
 namespace scree {
 
-// Sums over the bodies of each bin, and the bin of each body: −1 outside and for bodies that the probe does
-// not count.
-struct BinMotion {
+// Sums over the bodies of each bin, which a probe has among its totals: `width` numbers for each bin in turn.
+class BinMotion {
+ public:
+  static constexpr std::uint32_t width = 8;
   struct Sums {
     double bodies = 0, mass = 0;  // number, (kg)
     Vec3 momentum = {};           // (kg m/s)
@@ -20,33 +20,50 @@ struct BinMotion {
     Vec3 velocity() const { return 1 / mass * momentum; }
     Vec3 mean_spin() const { return 1 / bodies * spin; }
   };
-  std::vector<Sums> bins;
-  std::vector<int> bin_of;
 
-  BinMotion(const scree_view& view, const AveragingFrame& frame)
-      : bins(std::size_t(frame.bins)), bin_of(view.body_count, -1) {
-    for (std::uint64_t i = 0; i < view.body_count; ++i) {
-      if (!counts(view, i)) continue;
-      bin_of[i] = frame.bin_of(vector_of(view.position, i));
-      if (bin_of[i] < 0) continue;
-      Sums& bin = bins[std::size_t(bin_of[i])];
-      bin.bodies += 1;
-      bin.mass += view.mass[i];
-      bin.momentum += view.mass[i] * vector_of(view.velocity, i);
-      bin.spin += vector_of(view.spin, i);
-    }
+  // totals: of all parts, from the first bin on.
+  explicit BinMotion(const double* totals) : totals_(totals) {}
+
+  Sums operator[](std::size_t bin) const {
+    const double* const t = totals_ + bin * width;
+    return {t[0], t[1], {{t[2], t[3], t[4]}}, {{t[5], t[6], t[7]}}};
   }
 
-  // Calls visit(body, bin, velocity about the mean of the bin, spin about it).
+  // Adds the bodies of a part to its totals, from the first bin on.
+  static void add(const scree_view& part, const AveragingFrame& frame, double* totals) {
+    each_counted(part, frame, [&](std::uint64_t i, std::size_t bin) {
+      double* const t = totals + bin * width;
+      const Vec3 momentum = part.mass[i] * vector_of(part.velocity, i), spin = vector_of(part.spin, i);
+      t[0] += 1;
+      t[1] += part.mass[i];
+      for (int k = 0; k < 3; ++k) {
+        t[2 + k] += momentum[k];
+        t[5 + k] += spin[k];
+      }
+    });
+  }
+
+  // Calls visit(body, bin, velocity about the mean of the bin, spin about it) for the bodies of a part.
   template <class Visit>
-  void each_body(const scree_view& view, const Visit& visit) const {
-    for (std::uint64_t i = 0; i < view.body_count; ++i) {
-      if (bin_of[i] < 0) continue;
-      const Sums& bin = bins[std::size_t(bin_of[i])];
-      visit(i, std::size_t(bin_of[i]), vector_of(view.velocity, i) - bin.velocity(),
-            vector_of(view.spin, i) - bin.mean_spin());
+  void each_body(const scree_view& part, const AveragingFrame& frame, const Visit& visit) const {
+    each_counted(part, frame, [&](std::uint64_t i, std::size_t bin) {
+      const Sums sums = (*this)[bin];
+      visit(i, bin, vector_of(part.velocity, i) - sums.velocity(),
+            vector_of(part.spin, i) - sums.mean_spin());
+    });
+  }
+
+ private:
+  template <class Visit>
+  static void each_counted(const scree_view& part, const AveragingFrame& frame, const Visit& visit) {
+    for (std::uint64_t i = part.part_begin; i < part.part_end; ++i) {
+      if (!counts(part, i)) continue;
+      const int bin = frame.bin_of(vector_of(part.position, i));
+      if (bin >= 0) visit(i, std::size_t(bin));
     }
   }
+
+  const double* totals_;
 };
 
 }  // namespace scree

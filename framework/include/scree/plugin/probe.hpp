@@ -24,6 +24,8 @@
 //   void sample(const scree_view&, const double* state, double* row) const;   writes one row of values
 //   void mark_bodies(const scree_view&, const double* state, std::uint8_t* marks) const;   optional: 1 for the
 //                                                      bodies that observe and sample read, if these are few
+//   void accumulate(const scree_view& part, std::uint32_t pass, double* totals) const;   optional: adds sums of a
+//                                                      part, which sample finds for all parts in view.totals
 //
 // `describe` may set `observes` to 0 if the parameters make observation unnecessary, and sets `leaves_out` to
 // 1 in a probe that asks counts() of each body, so that scenarios may choose the bodies.
@@ -96,11 +98,17 @@ concept MarkingProbe = requires(const Author& author, const scree_view& view, co
 };
 
 template <class Author>
+concept AccumulatingProbe = requires(const Author& author, const scree_view& part, double* totals) {
+  author.accumulate(part, 0u, totals);
+};
+
+template <class Author>
 int configure_probe(const scree_setup* setup, void* storage, scree_probe_instance* instance) {
   if (const int failed = configure_author<Author>(setup, storage)) return failed;
   *instance = {};
   instance->struct_size = sizeof(*instance);
   instance->observes = ObservingProbe<Author>;
+  instance->passes = AccumulatingProbe<Author>;
   static_cast<const Author*>(storage)->describe(*instance);
   return 0;
 }
@@ -151,6 +159,11 @@ void mark_bodies_of_probe(const void* storage, const scree_view* view, const dou
 }
 
 template <class Author>
+void accumulate_probe(const void* storage, const scree_view* part, std::uint32_t pass, double* totals) {
+  static_cast<const Author*>(storage)->accumulate(*part, pass, totals);
+}
+
+template <class Author>
 constexpr scree_probe make_probe_interface() {
   scree_probe p = {};
   p.struct_size = sizeof(p);
@@ -163,6 +176,7 @@ constexpr scree_probe make_probe_interface() {
   p.sample = &sample_probe<Author>;
   p.meaning = &meaning_of_probe<Author>;
   if constexpr (MarkingProbe<Author>) p.mark_bodies = &mark_bodies_of_probe<Author>;
+  if constexpr (AccumulatingProbe<Author>) p.accumulate = &accumulate_probe<Author>;
   return p;
 }
 

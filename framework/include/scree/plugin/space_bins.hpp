@@ -21,6 +21,9 @@ namespace scree {
 //   in declare    bins.declare(d);
 //   in prepare    bins.check(setup);
 //   in start      return bins.problem(view);
+//   in describe   instance.total_count = bins.totals() + ...; instance.passes = bins.passes() + ...;
+//   in accumulate if (bins.finds_followed(part, pass, totals)) return;
+//                 const scree::AveragingFrame frame = bins.frame(part);   further totals from bins.totals() on
 //   in sample     const scree::AveragingFrame frame = bins.frame(view);
 struct SpaceBins {
   int region = AveragingFrame::enclosed, along = 0, axis = 2, bins = 1;
@@ -94,6 +97,17 @@ struct SpaceBins {
     return "";
   }
 
+  // What a probe with totals needs to follow a body: its position comes first in them, in a pass before others.
+  std::uint32_t totals() const { return follow > 0 ? 3 : 0; }
+  std::uint32_t passes() const { return follow > 0 ? 1 : 0; }
+  bool finds_followed(const scree_view& part, std::uint32_t pass, double* totals) const {
+    if (pass >= passes()) return false;
+    for (std::uint64_t i = part.part_begin; i < part.part_end; ++i)
+      if (double(part.id[i]) == follow)
+        for (int k = 0; k < 3; ++k) totals[k] += vector_of(part.position, i)[k];
+    return true;
+  }
+
   AveragingFrame frame(const scree_view& view) const {
     AveragingFrame f;
     f.dimension = int(view.dimension);
@@ -101,8 +115,7 @@ struct SpaceBins {
     f.along = along;
     f.axis = axis;
     f.bins = bins;
-    const std::uint64_t leader = follow > 0 ? followed(view) : view.body_count;
-    const Vec3 from = leader < view.body_count ? vector_of(view.position, leader) : Vec3{};
+    const Vec3 from = place_of_followed(view);
     for (int k = 0; k < 3; ++k) set_axis(view, from, k, f);
     if (centre) f.centre = from + Vec3{{(*centre)[0], (*centre)[1], (*centre)[2]}};
     f.radius = radius;
@@ -126,6 +139,13 @@ struct SpaceBins {
           "centre and radius belong to region = \"sphere\" or \"cylinder\"; set it, or remove them");
     if (region != AveragingFrame::cylinder && (!std::isnan(length) || axis != 2))
       return setup.refuse("length and axis belong to region = \"cylinder\"; set it, or remove them");
+  }
+  // (m) 0 if the region follows none.
+  Vec3 place_of_followed(const scree_view& view) const {
+    if (!(follow > 0)) return {};
+    if (view.totals) return {{view.totals[0], view.totals[1], view.totals[2]}};
+    const std::uint64_t leader = followed(view);
+    return leader < view.body_count ? vector_of(view.position, leader) : Vec3{};
   }
   std::uint64_t followed(const scree_view& view) const {
     for (std::uint64_t i = 0; i < view.body_count; ++i)

@@ -24,6 +24,14 @@ struct SymmetricTensor {
   void scale(double factor) {
     for (double* component : {&xx, &yy, &zz, &xy, &xz, &yz}) *component *= factor;
   }
+  // As numbers in this order, such as totals of a probe.
+  static constexpr unsigned count = 6;
+  void add_to(double* sums) const {
+    for (const double component : {xx, yy, zz, xy, xz, yz}) *sums++ += component;
+  }
+  static SymmetricTensor of(const double* sums) {
+    return {sums[0], sums[1], sums[2], sums[3], sums[4], sums[5]};
+  }
   // Mean of the normal components.
   double mean(int dimension) const { return (xx + yy + zz) / dimension; }
 };

@@ -42,9 +42,9 @@ void Sampler::put_in_order() {
 
 void Sampler::add_needs(const Active& p, Shown& shown) const {
   shown.any = true;
-  shown.needs = joint_needs(shown.needs, p.probe.needs());
+  shown.needs = joint_needs(shown.needs, p.probe.view_needs());
   for (const scenario::ProbeInput& input : p.plan->inputs) add_needs(probes_[input.probe], shown);
-  if ((p.probe.needs() & SCREE_NEEDS_NO_BODIES) || !shown.bodies) return;
+  if ((p.probe.view_needs() & SCREE_NEEDS_NO_BODIES) || !shown.bodies) return;
   const ListedBodies& listed = p.probe.listed_bodies();
   if (!listed) return shown.bodies.reset();
   ListedBodies both(std::in_place);
@@ -94,16 +94,17 @@ std::uint64_t Sampler::take(const Simulation& simulation, const std::string& sta
       add_needs(p, shown);
   const std::uint64_t next = this->next(simulation, stage, steps);
   if (!shown.any) return next;
-  const SimulationView view(simulation, shown.needs, end_time_, shown.bodies);
+  const SimulationView shown_view(simulation, shown.needs, end_time_, shown.bodies);
+  const Observed now = {simulation, shown_view.get(), stage};
   forget_rows();
   for (const std::size_t k : order_) {
     Active& p = probes_[k];
     if (!p.records_in(stage)) continue;
     if (p.is_observed(simulation, steps)) {
-      p.probe.observe(view.get(), inputs_of(p, view.get(), stage));
+      p.probe.observe(now.view, inputs_of(p, now));
       p.observed = simulation.steps();
     }
-    if (p.is_due_at(simulation, steps)) sample(p, view.get(), stage);
+    if (p.is_due_at(simulation, steps)) sample(p, now);
   }
   return next;
 }
@@ -123,7 +124,7 @@ void Sampler::sample_last(const Simulation& simulation, const std::string& stage
   const SimulationView view(simulation, shown.needs, end_time_, shown.bodies);
   forget_rows();
   for (Active& p : probes_)
-    if (p.records_in(stage)) sample(p, view.get(), stage);
+    if (p.records_in(stage)) sample(p, {simulation, view.get(), stage});
 }
 
 std::optional<double> Sampler::value(std::size_t probe, std::size_t column) const {
@@ -131,17 +132,17 @@ std::optional<double> Sampler::value(std::size_t probe, std::size_t column) cons
   return p.sampled == taken_step_ && !p.row.empty() ? std::optional(p.row[column]) : std::nullopt;
 }
 
-void Sampler::sample(Active& p, const scree_view& view, const std::string& stage) {
-  p.sampled = view.step;
+void Sampler::sample(Active& p, const Observed& now) {
+  p.sampled = now.view.step;
   if (!p.series) {
-    row(p, view, stage);
+    row(p, now);
     return;
   }
   // The last row of a stage is also the first of the next stage.
-  if (p.series->rows() > 0 && p.series->last_time() == view.time) return;
-  const std::vector<double>& values = row(p, view, stage);
+  if (p.series->rows() > 0 && p.series->last_time() == now.view.time) return;
+  const std::vector<double>& values = row(p, now);
   if (p.probe.observes()) p.last = values;
-  p.series->add(view.time, values);
+  p.series->add(now.view.time, values);
 }
 
 std::vector<std::string> Sampler::unfilled() const {
@@ -159,8 +160,8 @@ std::vector<std::string> Sampler::unfilled() const {
   return lines;
 }
 
-const std::vector<double>& Sampler::row(Active& p, const scree_view& view, const std::string& stage) {
-  if (p.row.empty()) p.row = p.probe.sample(view, inputs_of(p, view, stage));
+const std::vector<double>& Sampler::row(Active& p, const Observed& now) {
+  if (p.row.empty()) p.row = p.probe.sample(now.view, inputs_of(p, now), now.simulation.totals_of(p.probe));
   return p.row;
 }
 
@@ -168,13 +169,13 @@ void Sampler::forget_rows() {
   for (Active& p : probes_) p.row.clear();
 }
 
-std::vector<double> Sampler::inputs_of(const Active& p, const scree_view& view, const std::string& stage) {
+std::vector<double> Sampler::inputs_of(const Active& p, const Observed& now) {
   std::vector<double> values;
   for (const scenario::ProbeInput& input : p.plan->inputs) {
     Active& read = probes_[input.probe];
     // A probe starts with the first stage in which it records.
-    values.push_back(read.records_in(stage) ? row(read, view, stage)[input.column]
-                                            : std::numeric_limits<double>::quiet_NaN());
+    values.push_back(read.records_in(now.stage) ? row(read, now)[input.column]
+                                                : std::numeric_limits<double>::quiet_NaN());
   }
   return values;
 }

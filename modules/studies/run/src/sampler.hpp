@@ -86,15 +86,21 @@ class Sampler : public StageColumns {
     ListedBodies bodies = std::vector<std::uint32_t>();
     bool any = false;
   };
+  // What is observed at one time, in the stage of this name.
+  struct Observed {
+    const Simulation& simulation;
+    const scree_view& view;
+    const std::string& stage;
+  };
   void put_in_order();
   // Adds what a probe reads, and what those read whose columns it reads.
   void add_needs(const Active& probe, Shown& shown) const;
-  void sample(Active& probe, const scree_view& view, const std::string& stage);
-  // The row of the probe at the time of the view, computed once.
-  const std::vector<double>& row(Active& probe, const scree_view& view, const std::string& stage);
+  void sample(Active& probe, const Observed& now);
+  // The row of the probe at this time, computed once.
+  const std::vector<double>& row(Active& probe, const Observed& now);
   void forget_rows();
   // NaN of probes that do not record in the stage.
-  std::vector<double> inputs_of(const Active& probe, const scree_view& view, const std::string& stage);
+  std::vector<double> inputs_of(const Active& probe, const Observed& now);
 
   std::vector<Active> probes_;
   std::vector<std::size_t> order_;  // of probes_, each after those whose columns it reads

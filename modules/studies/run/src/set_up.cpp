@@ -60,7 +60,7 @@ Span span_of(const scenario::ProbePlan& probe, const std::vector<Stage>& stages)
 std::size_t check_start(const scenario::ProbePlan& probe, const scenario::Plan& plan,
                         const Simulation& simulation, double time, double end_time) {
   const Probe candidate = scenario::configured(probe, plan.scene.dimension);
-  const SimulationView view(simulation, candidate.needs(), end_time);
+  const SimulationView view(simulation, candidate.view_needs(), end_time, candidate.listed_bodies());
   scree_view then = view.get();
   then.time = time;
   return candidate.check(then);

@@ -33,8 +33,9 @@ enum {
   SCREE_NEEDS_CONTACTS = 1u << 0,
   SCREE_NEEDS_ENERGY = 1u << 1,
   SCREE_NEEDS_ORIENTATIONS = 1u << 2, /* the scene then carries and integrates them */
-  SCREE_NEEDS_NO_BODIES = 1u << 3     /* arrays of bodies may be NULL: those from position to material, image,
+  SCREE_NEEDS_NO_BODIES = 1u << 3,    /* arrays of bodies may be NULL: those from position to material, image,
                                      fixed and held; spares a copy of bodies that lie in another order in memory */
+  SCREE_NEEDS_CONTACT_COUNTS = 1u << 4 /* `accumulate` reads view->contacts_of_body */
 };
 
 /* The scene at the end of a step, or at the start; with position_verlet, forces, loads and contacts are values of
@@ -86,6 +87,13 @@ typedef struct scree_view {
                            z, then rotations, of bodies that are not fixed; NULL if there are none */
   const uint8_t*
       left_out; /* (optional) body_count: 1 for bodies that the probe is not to count; NULL if it counts all */
+  /* In `accumulate` alone: the bodies [part_begin, part_end) count, and all contacts of the view, of which each is in one
+   * part. Bodies are in the order of memory, and only those of the part and of its contacts are as they are now. */
+  uint64_t part_begin, part_end;
+  const uint32_t* contacts_of_body; /* body_count: number of contacts of each body of the part, or NULL */
+  const double*
+      totals; /* total_count of the probe that is called: in `sample` of all parts, in `accumulate` of the
+                           passes before; NULL if it has none */
 } scree_view;
 
 typedef struct scree_probe_instance {
@@ -98,6 +106,10 @@ typedef struct scree_probe_instance {
   uint32_t
       leaves_out; /* nonzero: it heeds view->left_out; the keys groups and leave_out are refused otherwise */
   double observe_every; /* (s) between observations if it is the probe that chooses it, else 0 */
+  /* Of a probe with `accumulate`; else 0. */
+  uint32_t total_count;   /* numbers in `totals` */
+  uint32_t largest_count; /* of these, the last so many are largest values, the others are sums */
+  uint32_t passes;        /* over all parts, at least 1 */
 } scree_probe_instance;
 
 /* The state is an array of doubles that the host stores between the calls, zero before `start`. Only `start`
@@ -134,6 +146,12 @@ typedef struct scree_probe {
    * lie in another order in memory or that other processes move. Called with a view of all bodies, after `start` and when
    * a run goes on. Not called for a probe with SCREE_NEEDS_CONTACTS. As `meaning`, a library may lack it. */
   void (*mark_bodies)(const void* storage, const scree_view* view, const double* state, uint8_t* marks);
+  /* (optional) Adds what the bodies and contacts of a part of the scene give to the totals of the part, which are 0 before,
+   * or −infinity where they are largest values; it never sets NaN there. Called in each pass for each part, by several
+   * threads and processes at once; sums of all parts are exact and rounded once. `start` of such a probe sees of bodies
+   * radius, mass, inertia, id, material, fixed and held alone, and no contacts; `sample` sees neither bodies nor contacts.
+   * It observes nothing and reads no columns of other probes. As `meaning`, a library may lack it. */
+  void (*accumulate)(const void* storage, const scree_view* part, uint32_t pass, double* totals);
 } scree_probe;
 
 #ifdef __cplusplus

@@ -6,29 +6,13 @@
 #include <metis.h>
 #include <numeric>
 
+#include <scree/kept_handlers.hpp>
+
 namespace scree::ranks {
 namespace {
 
 // METIS adds weights up in idx_t, which may have 32 bits.
 constexpr double largest_sum = 1e9;
-
-// METIS takes over two signals while it works, and sets their handlers back without their flags, so that the
-// second signal would end the program.
-class KeptHandlers {
- public:
-  KeptHandlers() {
-    for (std::size_t k = 0; k < signals.size(); ++k) sigaction(signals[k], nullptr, &before_[k]);
-  }
-  KeptHandlers(const KeptHandlers&) = delete;
-  KeptHandlers& operator=(const KeptHandlers&) = delete;
-  ~KeptHandlers() {
-    for (std::size_t k = 0; k < signals.size(); ++k) sigaction(signals[k], &before_[k], nullptr);
-  }
-
- private:
-  static constexpr std::array<int, 2> signals = {SIGABRT, SIGTERM};
-  std::array<struct sigaction, 2> before_ = {};
-};
 
 // Each edge from both of its tiles; tile t has the edges [start[t], start[t + 1]).
 struct Adjacency {

@@ -1,7 +1,11 @@
 #include "band/backend/elimination.hpp"
 
 #include <algorithm>
+#include <csignal>
 #include <metis.h>
+#include <numeric>
+
+#include <scree/kept_handlers.hpp>
 
 namespace scree::response {
 
@@ -20,6 +24,29 @@ Graph graph_of(const Eigen::SparseMatrix<double>& pattern) {
     graph.start.push_back(idx_t(graph.neighbours.size()));
   }
   return graph;
+}
+
+// Order of elimination by nested dissection, and the place of each unknown in it.
+struct Dissection {
+  std::vector<idx_t> order, place;
+};
+
+Dissection dissected(Graph& graph, idx_t unknowns) {
+  Dissection d = {std::vector<idx_t>(std::size_t(unknowns)), std::vector<idx_t>(std::size_t(unknowns))};
+  // What stops METIS is SIGTERM, a request to the program, after which it works again.
+  for (int attempt = 0; attempt < 2 && !graph.neighbours.empty(); ++attempt) {
+    int status = METIS_OK;
+    {
+      const KeptHandlers kept;
+      status = METIS_NodeND(&unknowns, graph.start.data(), graph.neighbours.data(), nullptr, nullptr,
+                            d.order.data(), d.place.data());
+    }
+    if (status == METIS_OK) return d;
+    if (status == METIS_ERROR) raise(SIGTERM);
+  }
+  std::iota(d.order.begin(), d.order.end(), idx_t(0));
+  d.place = d.order;
+  return d;
 }
 
 // Parent of each place in the elimination tree (Liu 1990), -1 for roots.
@@ -141,16 +168,10 @@ Elimination plan_elimination(const Eigen::SparseMatrix<double>& pattern) {
   const int n = int(pattern.rows());
   Graph graph = graph_of(pattern);
   Elimination plan = {std::vector<int>(n), std::vector<int>(n), {}};
-  std::vector<idx_t> dissected(n), place(n);
-  idx_t vertices = n;
-  if (!graph.neighbours.empty())
-    METIS_NodeND(&vertices, graph.start.data(), graph.neighbours.data(), nullptr, nullptr, dissected.data(),
-                 place.data());
-  else
-    for (int i = 0; i < n; ++i) dissected[i] = place[i] = i;
+  const auto [order, place] = dissected(graph, idx_t(n));
   const std::vector<int> sorted =
-      postorder(elimination_tree(graph, {dissected.begin(), dissected.end()}, {place.begin(), place.end()}));
-  for (int i = 0; i < n; ++i) plan.place[plan.order[i] = int(dissected[sorted[i]])] = i;
+      postorder(elimination_tree(graph, {order.begin(), order.end()}, {place.begin(), place.end()}));
+  for (int i = 0; i < n; ++i) plan.place[plan.order[i] = int(order[sorted[i]])] = i;
   plan.nodes =
       merge_supernodes(find_supernodes(graph, plan, elimination_tree(graph, plan.order, plan.place)));
   link_supernodes(plan.nodes, std::size_t(n));

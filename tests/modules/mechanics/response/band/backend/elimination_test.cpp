@@ -3,6 +3,7 @@
 #include "matrices.hpp"
 
 #include <algorithm>
+#include <csignal>
 #include <random>
 #include <set>
 #include <vector>
@@ -41,7 +42,28 @@ std::vector<std::set<int>> filled(const Sparse& pattern, const Elimination& plan
   return rows;
 }
 
+volatile std::sig_atomic_t requests = 0;
+void count_request(int) { requests = requests + 1; }
+
 }  // namespace
+
+// METIS takes over SIGTERM, and sets its handler back so that it works once.
+TEST_CASE("SIGTERM is handled any number of times after an elimination was planned", "[response]") {
+  struct sigaction counting {
+  }, before{};
+  counting.sa_handler = count_request;
+  sigaction(SIGTERM, &counting, &before);
+  plan_elimination(grid_pattern(20, 0));
+  requests = 0;
+  for (int k = 0; k < 3; ++k) {
+    struct sigaction now {};
+    sigaction(SIGTERM, nullptr, &now);
+    REQUIRE(now.sa_handler == count_request);
+    raise(SIGTERM);
+  }
+  CHECK(requests == 3);
+  sigaction(SIGTERM, &before, nullptr);
+}
 
 TEST_CASE("every unknown is eliminated once, in adjacent groups", "[response]") {
   for (const auto& [side, alone] : {std::pair{1, 0}, {0, 5}, {7, 3}, {20, 0}}) {
