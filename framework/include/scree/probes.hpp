@@ -61,8 +61,8 @@ class Probe {
   std::uint32_t needs() const { return plugin_.instance().needs; }
   // Of the next view, where totals are given: after the start no bodies then.
   std::uint32_t view_needs() const;
-  // The bodies that observe() and sample() read: marked by the plug-in once it has started, or all; none where
-  // totals are given.
+  // The bodies that observe() and sample() read: marked by the plug-in once it has started, or all; none
+  // where totals are given.
   const ListedBodies& listed_bodies() const { return listed_; }
   // Whether observe() does anything.
   bool observes() const { return plugin_.instance().observes; }

@@ -106,8 +106,8 @@ class Simulation {
   // that is not enclosed. Now, and at t = 0.
   Vec3 lengths() const;
   const Vec3& lengths_at_start() const;
-  // What a probe adds up over the bodies and contacts of all tiles: the same bits on any number of threads and
-  // ranks. Empty if it has no totals.
+  // What a probe adds up over the bodies and contacts of all tiles: the same bits on any number of threads
+  // and ranks. Empty if it has no totals.
   std::vector<double> totals_of(const Probe& probe) const;
   ContactList contact_list() const;
   // The same and pairs that are apart now, but between which the last evaluation, at other positions than the

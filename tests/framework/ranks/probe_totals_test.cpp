@@ -109,6 +109,16 @@ TEST_CASE("totals of probes are the same bits on any number of ranks and threads
       });
 }
 
+// Their evaluation leaves bodies of other ranks where they are in the middle of a step, or as predicted.
+TEST_CASE("totals are of the end of a step with each integrator", "[ranks]") {
+  for (const Integration integration : {Integration::position_verlet, Integration::predictor_corrector}) {
+    Scene scene = moving_layers(1);
+    scene.integration = integration;
+    const std::vector<std::uint64_t> expected = rows_in_a_run(scene, nullptr);
+    over_ranks(2, false, [&](Ranks& ranks) { CHECK(rows_in_a_run(scene, &ranks) == expected); });
+  }
+}
+
 // The sums of tiles differ from the sum over all bodies by round-off alone: of 2400 terms and means of them,
 // about 2400 · 1.1e-16 of the sum of magnitudes, of which components may be a small part.
 TEST_CASE("totals over tiles are those over all bodies and contacts", "[probe]") {

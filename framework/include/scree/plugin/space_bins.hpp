@@ -97,7 +97,8 @@ struct SpaceBins {
     return "";
   }
 
-  // What a probe with totals needs to follow a body: its position comes first in them, in a pass before others.
+  // What a probe with totals needs to follow a body: its position comes first in them, in a pass before
+  // others.
   std::uint32_t totals() const { return follow > 0 ? 3 : 0; }
   std::uint32_t passes() const { return follow > 0 ? 1 : 0; }
   bool finds_followed(const scree_view& part, std::uint32_t pass, double* totals) const {
