@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include <scree/plugin/unit_vector.hpp>
 #include <scree/plugin/wall_motion.hpp>
 
 namespace {
@@ -69,9 +70,10 @@ struct Plane {
 
   void prepare(const scree::Setup& setup) {
     using scree::WallMotion;
-    if (!make_unit(normal)) return setup.refuse("normal has length 0; give a vector such as [0, 0, 1]");
+    if (!scree::make_unit(normal))
+      return setup.refuse("normal has length 0; give a vector such as [0, 0, 1]");
     if (std::isnan(direction[0])) direction = normal;
-    if (!make_unit(direction))
+    if (!scree::make_unit(direction))
       return setup.refuse("direction has length 0; give a vector such as [0, 0, 1], or leave it out");
     const bool moved_otherwise = motion.velocity.given() || pressing_stress.given() ||
                                  pressing_force.given() || motion.superposed.given();
@@ -158,18 +160,7 @@ struct Plane {
   }
 
  private:
-  static scree::Vec3 vector(const std::array<double, 3>& v) { return {{v[0], v[1], v[2]}}; }
-
-  // Scaled by a power of 2, so that no square overflows or underflows.
-  static bool make_unit(std::array<double, 3>& v) {
-    const double largest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
-    if (!(largest > 0)) return false;
-    const int exponent = std::ilogb(largest);
-    for (double& x : v) x = std::ldexp(x, -exponent);
-    const double length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-    for (double& x : v) x /= length;
-    return true;
-  }
+  static scree::Vec3 vector(const std::array<double, 3>& v) { return scree::vector_of(v); }
 
   scree::WallMotion::StepMotion begin_by_load(const scree::WallMotion::Prescribed& prescribed,
                                               const scree::BoundaryStep& s) const {

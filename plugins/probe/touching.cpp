@@ -44,7 +44,7 @@ struct TouchingProbe {
   }
 
   void observe(const scree_view& view, double* state) const {
-    std::vector<bool> touches(view.body_count + view.plane_count, false);
+    std::vector<bool> touches(view.body_count + view.plane_count + view.surface_count, false);
     for (std::uint64_t c = 0; c < view.contact_count; ++c)
       touches[view.contact_a[c]] = touches[view.contact_b[c]] = true;
     double *const touched = state + 1, *const last = touched + bodies.size();

@@ -41,7 +41,7 @@ class SimulationView {
 
   ContactList contacts_;
   scree_energy energy_;
-  std::vector<const char*> plane_names_, material_names_;
+  std::vector<const char*> plane_names_, surface_names_, material_names_;
   scree_view view_ = {};
 };
 
@@ -93,9 +93,11 @@ class Probe {
   // Updates the state. inputs: values of the columns of other probes that this one reads, in the order of
   // Parameters::inputs(). Throws Error, as sample() does, if the scene lacks what the probe reads.
   void observe(const scree_view& view, std::span<const double> inputs = {});
-  // One row of values. totals: see Simulation::totals_of; empty: of all bodies and contacts of the view.
+  // One row of values. totals: called once the probe has started, see Simulation::totals_of; empty: they are
+  // added up over all bodies and contacts of the view.
+  using Totals = std::function<std::vector<double>()>;
   std::vector<double> sample(const scree_view& view, std::span<const double> inputs = {},
-                             std::vector<double> totals = {});
+                             const Totals& totals = {});
   // Throws Error if the scene lacks what the probe reads; leaves the state as it is. Returns the number of
   // bodies that it will read.
   std::size_t check(const scree_view& view) const;

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <scree/domain.hpp>
 #include <scree/scene.hpp>
@@ -12,6 +13,8 @@ namespace scree {
 
 // Number of planes of all boundaries of a scene. Also throws if a boundary refuses to start.
 std::size_t plane_count(const Scene& scene);
+// Names of the surfaces of all boundaries, "<boundary>.<surface>".
+std::vector<std::string> surface_names(const Scene& scene);
 // The periodic domain that the boundaries of a scene define together. Also throws if two boundaries define
 // the same axis.
 Domain periodic_domain(const Scene& scene);

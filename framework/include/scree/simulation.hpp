@@ -24,6 +24,7 @@ class Contacts;
 class Probe;
 class Ranks;
 struct SimulationParts;
+struct WallSurfaces;
 
 // Memory and degrees of freedom of a scene; it carries only what its laws need.
 struct Footprint {
@@ -102,6 +103,10 @@ class Simulation {
       const;  // of each, whether it exerts no force: it is not there
   const std::vector<std::string>& plane_names() const;  // "<boundary>.<plane>"
   const std::vector<std::uint32_t>& plane_materials() const;
+  // Walls that are no planes. In a contact list they are numbered behind the planes.
+  const WallSurfaces& surfaces() const;
+  // Of a wall as contact lists number them, from 0.
+  const std::string& wall_name(std::size_t wall) const;
   // Length along each axis (m) between the walls that enclose the bodies, or the period; NaN along an axis
   // that is not enclosed. Now, and at t = 0.
   Vec3 lengths() const;

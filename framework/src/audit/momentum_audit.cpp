@@ -44,9 +44,14 @@ void MomentumAudit::Sums::add(const Particles& particles, BodyRange bodies) {
   }
 }
 
-void MomentumAudit::add_step(double step, Sums sums, const std::vector<scree_load>& loads) {
-  for (const scree_load& load : loads)
-    for (int k = 0; k < 3; ++k) sums.force[k] += load.force[k], sums.magnitude += std::abs(load.force[k]);
+void MomentumAudit::add_step(double step, Sums sums, const std::vector<scree_load>& planes,
+                             const std::vector<scree_frame_load>& surfaces) {
+  const auto add = [&sums](const auto& loads) {
+    for (const auto& load : loads)
+      for (int k = 0; k < 3; ++k) sums.force[k] += load.force[k], sums.magnitude += std::abs(load.force[k]);
+  };
+  add(planes);
+  add(surfaces);
   net_ += step * sums.force;
   exchanged_ += std::abs(step) * sums.magnitude;
 }

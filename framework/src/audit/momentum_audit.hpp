@@ -25,8 +25,9 @@ class MomentumAudit {
     }
   };
 
-  // Adds one evaluation, weighted with the step (s).
-  void add_step(double step, Sums bodies, const std::vector<scree_load>& loads);
+  // Adds one evaluation, weighted with the step (s), with the loads of planes and surfaces.
+  void add_step(double step, Sums bodies, const std::vector<scree_load>& planes,
+                const std::vector<scree_frame_load>& surfaces);
   // |net momentum| / exchanged momentum; 0 while none has been exchanged.
   double residual() const;
   void transfer(const class StateTransfer& state);

@@ -4,7 +4,7 @@
 
 #include <scree/body_order.hpp>
 #include <scree/orientations.hpp>
-#include <scree/plugin/vec.hpp>
+#include <scree/plugin/rotation.hpp>
 #include <scree/state_transfer.hpp>
 
 namespace scree {
@@ -12,40 +12,6 @@ namespace scree {
 namespace {
 
 using Quaternion = Vec<4>;  // (w, x, y, z)
-
-// The rotation by a vector r (rad), as cos(|r|/2) − 1 and sin(|r|/2)/|r| r.
-struct HalfAngle {
-  double cosine_minus_one;
-  Vec3 sine;
-};
-
-// Taylor series in the square of the half angle; relative error below 2e-17 up to half angles of 1/2. Not the
-// library's sine and cosine, whose last bits differ between machines.
-HalfAngle half_angle_of_small(const Vec3& rotation) {
-  const double square = 0.25 * dot(rotation, rotation);
-  double sine = 1, cosine = 1;  // sin(a)/a and 2 (1 − cos(a))/a²
-  for (int k = 14; k > 0; k -= 2) {
-    sine = 1 - square * sine / double(k * (k + 1));
-    cosine = 1 - square * cosine / double((k + 1) * (k + 2));
-  }
-  return {-0.5 * square * cosine, 0.5 * sine * rotation};
-}
-
-bool all_finite(const Vec3& v) { return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]); }
-
-// Halves the rotation until the series holds, then doubles it. No rotation if it is not finite, which halving
-// would not change: such a spin ends the step.
-HalfAngle half_angle_of(Vec3 rotation) {
-  if (!all_finite(rotation)) return {0, {}};
-  int halvings = 0;
-  for (; dot(rotation, rotation) > 1; ++halvings) rotation = 0.5 * rotation;
-  HalfAngle half = half_angle_of_small(rotation);
-  for (; halvings > 0; --halvings) {
-    const double cosine = half.cosine_minus_one;
-    half = {2 * cosine * (cosine + 2), 2 * (1 + cosine) * half.sine};
-  }
-  return half;
-}
 
 // (exp(r/2) − 1) q: the change of q by the rotation r.
 Quaternion change_of(const Quaternion& q, const HalfAngle& r) {

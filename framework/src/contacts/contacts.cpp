@@ -23,6 +23,7 @@ Contacts::Contacts(const std::vector<Kind>& kinds, BodyTiles tiles) : tiles_(til
     PairGroup group;
     group.law = kind.law;
     group.planes = kind.planes;
+    group.surfaces = kind.surfaces;
     group.history_width = kind.history_width;
     before_.push_back({0, {}, group.history});
     groups_.push_back(std::move(group));
@@ -118,7 +119,8 @@ void Contacts::rebuild(const std::vector<NeighbourPair>& bodies, const std::vect
     const auto is_turned = [&](const NeighbourPair& p) { return order.number(p.a) > order.number(p.b); };
     const Choice planes_of_group = {
         [&](const PlanePair& p) {
-          return law_of(lookup.body_material[p.body], lookup.plane_material[p.plane]) == group.law;
+          return (p.plane >= lookup.surfaces_from) == group.surfaces &&
+                 law_of(lookup.body_material[p.body], lookup.plane_material[p.plane]) == group.law;
         },
         body_of, body_of,
         [&](const PlanePair& p, std::size_t index) { set_pair(index, p.body, p.plane, Domain::no_shift); }};

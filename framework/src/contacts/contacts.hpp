@@ -16,7 +16,7 @@
 
 namespace scree {
 
-// Candidate pair of a body and a plane.
+// Candidate pair of a body and a wall; walls are numbered, the planes first, then the surfaces.
 struct PlanePair {
   std::uint32_t body, plane;
 };
@@ -36,7 +36,8 @@ struct PairRun {
 // Candidate pairs with the same law and the same kind of partner: a contiguous range of the pair arrays.
 struct PairGroup {
   std::uint32_t law = 0;
-  bool planes = false;             // b is a plane
+  bool planes = false;             // b is a wall: a plane or a surface
+  bool surfaces = false;           // b is a surface
   std::size_t begin = 0;           // multiple of SCREE_LANES
   std::size_t end = 0;             // behind the last pair; padded to the next multiple of SCREE_LANES
   std::size_t pairs = 0;           // without padding
@@ -73,6 +74,7 @@ class Contacts {
     std::uint32_t law;
     bool planes;
     std::uint32_t history_width;
+    bool surfaces = false;
   };
   // Tables for finding the law of a pair: law_of[material_a * materials + material_b].
   struct Lookup {
@@ -80,6 +82,7 @@ class Contacts {
     std::uint32_t materials = 0;
     const std::uint32_t* body_material = nullptr;
     const std::uint32_t* plane_material = nullptr;
+    std::uint32_t surfaces_from = ~std::uint32_t(0);  // walls with this number and above are surfaces
   };
 
   // tiles: into which the pairs are divided.

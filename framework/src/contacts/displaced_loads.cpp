@@ -14,7 +14,7 @@ scree_load DisplacedLoads::load(const Scene& scene, std::size_t plane, const dou
   PlanePairs& pairs = pairs_of(scene, plane);
   std::size_t next = 0;
   for (const PairGroup& all : scene.contacts.groups()) {
-    if (!all.planes) continue;
+    if (!all.planes || all.surfaces) continue;
     pairs.contacts.groups()[next].history.take(all.history, pairs.rows[next]);
     ++next;
   }
@@ -87,12 +87,12 @@ void DisplacedLoads::take(const Scene& scene, std::size_t plane, PlanePairs& pai
   pairs.revision = scene.contacts.revision();
   std::vector<Contacts::Kind> kinds;
   for (const PairGroup& group : scene.contacts.groups())
-    if (group.planes) kinds.push_back({group.law, true, group.history_width});
+    if (group.planes && !group.surfaces) kinds.push_back({group.law, true, group.history_width});
   pairs.contacts = Contacts(kinds, BodyTiles(scene.particles.size()));
   pairs.rows.assign(kinds.size(), {});
   std::size_t next = 0;
   for (const PairGroup& all : scene.contacts.groups()) {
-    if (!all.planes) continue;
+    if (!all.planes || all.surfaces) continue;
     std::vector<PairColumns::Move>& rows = pairs.rows[next];
     std::vector<PlanePair> of_plane;
     all.each_pair([&](std::size_t q) {

@@ -2,6 +2,7 @@
 
 #include "contacts/kernel/block.hpp"
 #include "contacts/kernel/evaluate.hpp"
+#include "contacts/surface_contacts.hpp"
 #include "contacts/tile_schedule.hpp"
 #include "ranks/rank_share.hpp"
 
@@ -22,6 +23,7 @@ struct Forces::Work {
   kernel::Tiles tiles;
   std::vector<std::uint32_t> all_tiles;
   kernel::PlaneRecords planes;
+  SurfaceContacts surfaces;
   PairConstants constants;
   std::vector<ContactSums> tile_sums;
   std::optional<Halo> halo;  // if several ranks compute the scene
@@ -73,6 +75,7 @@ void Forces::update_pairs(Particles& particles, const Contacts& contacts, std::u
     work.share_order = ShareOrder(work.tiles, share_->owners.own(), *work.halo);
   }
   work.constants.update(contacts, particles, reads, features_.pair_forces, threads);
+  work.surfaces.plan(contacts, particles.width());
   particles.set_load_rows(work.tiles.slots());
   work.tile_sums.assign(work.tiles.tiles().size(), {});
 }
@@ -98,9 +101,10 @@ void Forces::evaluate(const Evaluation& e, ThreadPool& threads, const FinishPart
                       ContactSums& total, Profile* profile) {
   Work& work = *work_;
   Laps laps_of_search(profile);
-  update_pairs(e.particles, e.contacts, reads_of(e.laws), e.planes.size(), threads);
+  update_pairs(e.particles, e.contacts, reads_of(e.laws), e.planes.size() + e.surfaces.size(), threads);
   laps_of_search.lap(Profile::neighbours);
   work.planes.set(e.planes, e.particles.width());
+  if (work.surfaces.any()) place_surfaces(e);
   alignas(32) std::array<double, 4 * 27> shifts;
   if (features_.periodic) shifts = image_shifts(e.domain);
   const kernel::EvaluationInput input = {.contacts = e.contacts,
@@ -114,8 +118,11 @@ void Forces::evaluate(const Evaluation& e, ThreadPool& threads, const FinishPart
                                          .kick = e.kick,
                                          .audit = features_.audit,
                                          .pair_forces = features_.pair_forces,
-                                         .max_overlap_ratio = work.max_overlap_ratio};
+                                         .max_overlap_ratio = work.max_overlap_ratio,
+                                         .surfaces = &work.surfaces.records()};
   const auto evaluate_pairs = [&](std::size_t tile, unsigned worker, kernel::TilePairs pairs) {
+    if (work.surfaces.any() && pairs != kernel::TilePairs::crossing)
+      work.surfaces.resolve(tile, e.contacts, e.particles, work.constants);
     work.evaluate({.input = &input,
                    .tiles = &work.tiles,
                    .tile = tile,
@@ -146,6 +153,7 @@ void Forces::evaluate(const Evaluation& e, ThreadPool& threads, const FinishPart
         [&](std::size_t tile, unsigned worker) { evaluate_pairs(tile, worker, kernel::TilePairs::all); },
         finish);
   sum_loads(e.particles, e.loads, sums);
+  sum_frame_loads(e.particles, e.loads.size(), e.frame_loads, sums);
   add_total(work.tile_sums, total, sums);
   work.max_overlap_ratio = std::max(work.max_overlap_ratio, total.max_overlap_ratio);
   total.max_overlap_ratio = work.max_overlap_ratio;
@@ -161,26 +169,48 @@ void Forces::collect(Particles& particles, std::size_t part) const {
       kernel::add_four(loads + in.body * width + k, kernel::load_four(loads + in.slot * width + k));
 }
 
-void Forces::sum_loads(const Particles& particles, std::vector<scree_load>& loads, RankSums& sums) const {
+// Component k of what all pairs exert on a wall.
+void Forces::sum_load(double& load, const Particles& particles, std::size_t wall, std::size_t k,
+                      RankSums& sums) const {
   const std::vector<kernel::Tiles::Tile>& tiles = work_->tiles.tiles();
-  const std::size_t width = particles.load_width();
-  const int components = features_.dimension;
-  for (std::size_t plane = 0; plane < loads.size(); ++plane) {
-    const auto slot = [&](const kernel::Tiles::Tile& tile) {
-      return particles.loads() + (tile.first_own + plane) * width;
-    };
-    double* const load = loads[plane].force;
-    if (tiles.size() == 1 && !share_) {
-      const double* const only = slot(tiles[0]);
-      load[0] = only[0], load[1] = only[1], load[2] = components == 3 ? only[2] : 0;
-      continue;
-    }
-    load[2] = 0;
-    for (int k = 0; k < components; ++k)
-      sums.sum(load[k], tiles, [&](const kernel::Tiles::Tile& tile) {
-        return share_ && !share_->owners.is_own(std::size_t(&tile - tiles.data())) ? 0.0 : slot(tile)[k];
-      });
+  const auto of_tile = [&](const kernel::Tiles::Tile& tile) {
+    return particles.loads()[(tile.first_own + wall) * particles.load_width() + k];
+  };
+  if (tiles.size() == 1 && !share_) {
+    load = of_tile(tiles[0]);
+    return;
   }
+  sums.sum(load, tiles, [&](const kernel::Tiles::Tile& tile) {
+    return share_ && !share_->owners.is_own(std::size_t(&tile - tiles.data())) ? 0.0 : of_tile(tile);
+  });
+}
+
+void Forces::sum_loads(const Particles& particles, std::vector<scree_load>& loads, RankSums& sums) const {
+  for (std::size_t plane = 0; plane < loads.size(); ++plane) {
+    loads[plane].force[2] = 0;
+    for (int k = 0; k < features_.dimension; ++k)
+      sum_load(loads[plane].force[k], particles, plane, std::size_t(k), sums);
+  }
+}
+
+// Torques are what the loads of bodies have of them, see scree::record.
+void Forces::sum_frame_loads(const Particles& particles, std::size_t planes,
+                             std::vector<scree_frame_load>& loads, RankSums& sums) const {
+  const bool flat = features_.dimension == 2;
+  for (std::size_t s = 0; s < loads.size(); ++s) {
+    loads[s] = {};
+    for (int k = 0; k < features_.dimension; ++k)
+      sum_load(loads[s].force[k], particles, planes + s, std::size_t(k), sums);
+    for (int k = flat ? 2 : 0; k < 3; ++k)
+      sum_load(loads[s].torque[k], particles, planes + s, std::size_t(flat ? k : 4 + k), sums);
+  }
+}
+
+void Forces::place_surfaces(const Evaluation& e) {
+  std::vector<PlacedSurface> placed;
+  for (std::size_t s = 0; s < e.surfaces.size(); ++s)
+    placed.emplace_back(e.surfaces.shapes[s], e.surfaces.frames[s], features_.dimension, e.elapsed);
+  work_->surfaces.place(std::move(placed), e.planes.size());
 }
 
 PairColumns& Forces::pair_forces() { return work_->constants.force; }

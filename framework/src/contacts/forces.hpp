@@ -17,6 +17,7 @@
 #include <scree/plugin/abi.h>
 #include <scree/profile.hpp>
 #include <scree/thread_pool.hpp>
+#include <scree/wall_surfaces.hpp>
 
 namespace scree {
 
@@ -54,6 +55,8 @@ class Forces {
     const std::vector<LawInstance>& laws;
     const std::vector<scree_plane>& planes;
     std::vector<scree_load>& loads;  // (planes)
+    const WallSurfaces& surfaces;
+    std::vector<scree_frame_load>& frame_loads;  // (surfaces)
     const Domain& domain;
     double elapsed;  // (s) since the last evaluation, by which springs advance
     double kick;     // (s) for which the forces act on the bodies; 0: not at all
@@ -106,7 +109,12 @@ class Forces {
   struct Work;
   // Adds the loads that other tiles have computed for the bodies of a part.
   void collect(Particles& particles, std::size_t part) const;
+  void sum_load(double& load, const Particles& particles, std::size_t wall, std::size_t k,
+                RankSums& sums) const;
   void sum_loads(const Particles& particles, std::vector<scree_load>& loads, RankSums& sums) const;
+  void sum_frame_loads(const Particles& particles, std::size_t planes, std::vector<scree_frame_load>& loads,
+                       RankSums& sums) const;
+  void place_surfaces(const Evaluation& evaluation);
 
   Features features_;
   RankShare* share_ = nullptr;

@@ -1,5 +1,7 @@
 #include "contacts/touching_contacts.hpp"
 
+#include "surfaces/placed_surface.hpp"
+
 #include <limits>
 
 namespace scree {
@@ -36,40 +38,60 @@ struct Meeting {
   double overlap = 0;
 };
 
-Meeting meeting_of(const Particles& p, const Contacts& contacts, bool with_plane, std::size_t pair,
-                   const std::vector<scree_plane>& planes, const Domain& domain) {
-  const std::uint32_t a = contacts.a[pair], b = contacts.b[pair];
-  Vec3 normal = {};
-  double distance = 0, reach = p.radius()[a];
-  if (with_plane) {
-    for (int k = 0; k < p.dimension(); ++k) normal[k] = planes[b].normal[k];
-    for (int k = 0; k < p.dimension(); ++k) distance += (p.position()[k][a] - planes[b].point[k]) * normal[k];
-  } else {
-    normal = position(p, a) - position(p, b) + domain.shift(contacts.image[pair]);
-    distance = norm(normal);
-    normal = (distance > 0 ? 1 / distance : 0) * normal;
-    reach += p.radius()[b];
+// The walls of a scene now.
+class Walls {
+ public:
+  explicit Walls(const Boundaries& boundaries) : planes_(boundaries.planes()), domain_(boundaries.domain()) {
+    const WallSurfaces& all = boundaries.surfaces();
+    for (std::size_t s = 0; s < all.size(); ++s)
+      surfaces_.emplace_back(all.shapes[s], all.frames[s], boundaries.dimension());
   }
-  return {normal, reach - distance};
+  const Domain& domain() const { return domain_; }
+  // Of a body at x (m) with a radius (m).
+  Meeting meeting(const Vec3& x, double radius, std::uint32_t wall) const {
+    if (wall < planes_.size()) {
+      const scree_plane& plane = planes_[wall];
+      const Vec3 normal = {{plane.normal[0], plane.normal[1], plane.normal[2]}};
+      double height = 0;
+      for (int k = 0; k < 3; ++k) height += (x[k] - plane.point[k]) * normal[k];
+      return {normal, radius - height};
+    }
+    const NearestPoint nearest = surfaces_[wall - planes_.size()].nearest(x);
+    return {nearest.normal, radius - nearest.distance};
+  }
+
+ private:
+  const std::vector<scree_plane>& planes_;
+  const Domain& domain_;
+  std::vector<PlacedSurface> surfaces_;
+};
+
+Meeting meeting_of(const Particles& p, const Contacts& contacts, bool with_wall, std::size_t pair,
+                   const Walls& walls) {
+  const std::uint32_t a = contacts.a[pair], b = contacts.b[pair];
+  if (with_wall) return walls.meeting(position(p, a), p.radius()[a], b);
+  const Vec3 apart = position(p, a) - position(p, b) + walls.domain().shift(contacts.image[pair]);
+  const double distance = norm(apart);
+  return {(distance > 0 ? 1 / distance : 0) * apart, p.radius()[a] + p.radius()[b] - distance};
 }
 
 }  // namespace
 
-std::size_t count_touching(const Particles& p, const Contacts& contacts,
-                           const std::vector<scree_plane>& planes, const Domain& domain) {
+std::size_t count_touching(const Particles& p, const Contacts& contacts, const Boundaries& boundaries) {
+  const Walls walls(boundaries);
   std::size_t touching = 0;
   for (const PairGroup& group : contacts.groups())
-    group.each_pair([&](std::size_t q) {
-      touching += meeting_of(p, contacts, group.planes, q, planes, domain).overlap > 0;
-    });
+    group.each_pair(
+        [&](std::size_t q) { touching += meeting_of(p, contacts, group.planes, q, walls).overlap > 0; });
   return touching;
 }
 
-void count_contacts(const Particles& p, const Contacts& contacts, const std::vector<scree_plane>& planes,
-                    const Domain& domain, BodyColumn<std::uint32_t>& counts) {
+void count_contacts(const Particles& p, const Contacts& contacts, const Boundaries& boundaries,
+                    BodyColumn<std::uint32_t>& counts) {
+  const Walls walls(boundaries);
   for (const PairGroup& group : contacts.groups())
     group.each_pair([&](std::size_t q) {
-      if (!(meeting_of(p, contacts, group.planes, q, planes, domain).overlap > 0)) return;
+      if (!(meeting_of(p, contacts, group.planes, q, walls).overlap > 0)) return;
       ++counts[contacts.a[q]];
       if (!group.planes) ++counts[contacts.b[q]];
     });
@@ -79,11 +101,11 @@ namespace {
 
 // Adds a pair to a list if it belongs there; number: which number of a body, given its place, the list has.
 template <class Number>
-void add_pair(const PairsNow& now, const PairGroup& group, std::size_t q, ListedPairs listed,
-              const Number& number, ContactList& list) {
-  const auto& [p, contacts, forces, laws, planes, domain] = now;
+void add_pair(const PairsNow& now, const Walls& walls, const PairGroup& group, std::size_t q,
+              ListedPairs listed, const Number& number, ContactList& list) {
+  const auto& [p, contacts, forces, laws, boundaries] = now;
   const std::uint32_t a = contacts.a[q], b = contacts.b[q];
-  const auto [normal, overlap] = meeting_of(p, contacts, group.planes, q, planes, domain);
+  const auto [normal, overlap] = meeting_of(p, contacts, group.planes, q, walls);
   if (!(overlap > 0) && !(listed == ListedPairs::touching_or_loaded && is_loaded(forces, q))) return;
   const int sliding_column = laws[group.law].interface.sliding_column;
   list.a.push_back(number(a));
@@ -101,21 +123,23 @@ void add_pair(const PairsNow& now, const PairGroup& group, std::size_t q, Listed
 
 ContactList touching_contacts(const PairsNow& now, ListedPairs listed) {
   const BodyOrder& order = now.particles.order();
+  const Walls walls(now.boundaries);
   ContactList list;
   for (const PairGroup& group : now.contacts.groups())
     for (const std::size_t q : now.contacts.in_scene_order(group, order))
       add_pair(
-          now, group, q, listed, [&](std::uint32_t place) { return order.number(place); }, list);
+          now, walls, group, q, listed, [&](std::uint32_t place) { return order.number(place); }, list);
   return list;
 }
 
 ContactList touching_contacts_of(const PairsNow& now, std::size_t tile) {
+  const Walls walls(now.boundaries);
   ContactList list;
   for (const PairGroup& group : now.contacts.groups()) {
     if (group.runs.empty()) continue;
     for (std::size_t q = group.runs[tile].begin; q < group.runs[tile].end; ++q)
       add_pair(
-          now, group, q, ListedPairs::touching, [](std::uint32_t place) { return place; }, list);
+          now, walls, group, q, ListedPairs::touching, [](std::uint32_t place) { return place; }, list);
   }
   return list;
 }

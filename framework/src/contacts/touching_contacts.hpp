@@ -2,12 +2,12 @@
 
 #include "contacts/contacts.hpp"
 #include "contacts/forces.hpp"
+#include "walls/boundaries.hpp"
 
 #include <vector>
 
 #include <scree/body_column.hpp>
 #include <scree/contact_list.hpp>
-#include <scree/domain.hpp>
 
 namespace scree {
 
@@ -21,8 +21,7 @@ struct PairsNow {
   const Contacts& contacts;
   const PairColumns& forces;
   const std::vector<LawInstance>& laws;
-  const std::vector<scree_plane>& planes;
-  const Domain& domain;
+  const Boundaries& boundaries;
 };
 // In scene order, with bodies by number.
 ContactList touching_contacts(const PairsNow& now, ListedPairs listed = ListedPairs::touching);
@@ -31,10 +30,9 @@ ContactList touching_contacts_of(const PairsNow& now, std::size_t tile);
 
 // Number of pairs that touch at the present positions.
 std::size_t count_touching(const Particles& particles, const Contacts& contacts,
-                           const std::vector<scree_plane>& planes, const Domain& domain);
+                           const Boundaries& boundaries);
 // Adds the number of these of each body, by place.
-void count_contacts(const Particles& particles, const Contacts& contacts,
-                    const std::vector<scree_plane>& planes, const Domain& domain,
+void count_contacts(const Particles& particles, const Contacts& contacts, const Boundaries& boundaries,
                     BodyColumn<std::uint32_t>& counts);
 
 }  // namespace scree

@@ -13,9 +13,8 @@ namespace scree {
 template <class Call>
 auto plugin_call(const char* plugin, const char* function, const Call& call) {
   const auto error = [&](const char* what) {
-    return Error(
-        fmt::format("plug-in {}: its function {} threw an exception ({}); let it report the problem instead",
-                    plugin, function, what));
+    return Error(fmt::format("plug-in {}: its function {} threw an exception ({}); none may leave a plug-in",
+                             plugin, function, what));
   };
   try {
     return call();

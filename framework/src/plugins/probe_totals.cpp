@@ -15,14 +15,20 @@
 namespace scree {
 
 void Probe::check_totals() const {
-  if (!has_totals()) return;
   const scree_probe& interface = plugin_.interface();
   const scree_probe_instance& instance = plugin_.instance();
   const auto refuse = [&](const char* problem) {
     throw Error(fmt::format("plug-in {}: {}", plugin_.parameters().plugin().name, problem));
   };
-  if (interface.struct_size <= offsetof(scree_probe, accumulate) || !interface.accumulate)
-    refuse("has totals but no accumulate function; give it one");
+  const bool accumulates = interface.struct_size > offsetof(scree_probe, accumulate) && interface.accumulate;
+  if (has_totals() && !accumulates) refuse("has totals but no accumulate function; give it one");
+  if (!has_totals() && (accumulates || (instance.needs & SCREE_NEEDS_CONTACT_COUNTS)))
+    refuse("has an accumulate function, or needs contact counts, but no totals; set total_count");
+  if (!has_totals()) return;
+  // Each has an exact sum of 600 bytes in each thread, and in each message.
+  constexpr std::uint32_t most_totals = 100'000, most_passes = 100;
+  if (instance.total_count > most_totals || instance.passes > most_passes)
+    refuse("has more than 100000 totals or 100 passes; take fewer");
   if (instance.passes == 0 || instance.largest_count > instance.total_count)
     refuse("has totals without a pass, or more largest values than totals; set passes and largest_count");
   if (observes() || !plugin_.parameters().inputs().empty())

@@ -172,14 +172,33 @@ void Probe::observe(const scree_view& view, std::span<const double> inputs) {
   check_guard(state_, name, "state");
 }
 
+namespace {
+
+// Bodies and contacts that a probe reads in their parts alone.
+scree_view without_bodies(scree_view view) {
+  view.body_count = view.contact_count = 0;
+  for (auto* const vectors : {&view.position, &view.velocity, &view.spin, &view.force, &view.torque})
+    for (scree_column& column : *vectors) column = {};
+  for (scree_column& column : view.orientation) column = {};
+  for (const std::int32_t*& image : view.image) image = nullptr;
+  view.radius = view.mass = view.inertia = {};
+  view.id = nullptr;
+  view.material = nullptr;
+  view.fixed = view.held = nullptr;
+  return view;
+}
+
+}  // namespace
+
 std::vector<double> Probe::sample(const scree_view& view, std::span<const double> inputs,
-                                  std::vector<double> totals) {
+                                  const Totals& totals) {
   start_once(view);
-  if (has_totals() && totals.empty()) totals = totals_in(view);
+  std::vector<double> added;
+  if (has_totals()) added = totals ? totals() : totals_in(view);
   std::vector<double> row = guarded(plugin_.instance().column_count);
   const char* const name = plugin_.parameters().plugin().name;
-  scree_view with_totals = view;
-  with_totals.totals = totals.data();
+  scree_view with_totals = has_totals() ? without_bodies(view) : view;
+  with_totals.totals = added.data();
   show(with_totals, inputs, [&](const scree_view& shown) {
     plugin_call(name, "sample",
                 [&] { plugin_.interface().sample(plugin_.storage(), &shown, state_.data(), row.data()); });

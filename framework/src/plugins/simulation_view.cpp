@@ -5,6 +5,7 @@
 #include <limits>
 
 #include <scree/probes.hpp>
+#include <scree/wall_surfaces.hpp>
 
 namespace scree {
 
@@ -88,6 +89,12 @@ void SimulationView::show_boundaries(const Simulation& s) {
   view_.material_count = std::uint32_t(material_names_.size());
   view_.material_names = material_names_.data();
   view_.plane_absent = s.absent_planes().data();
+  const WallSurfaces& surfaces = s.surfaces();
+  surface_names_ = pointers_to(surfaces.names);
+  view_.surface_count = std::uint32_t(surfaces.size());
+  view_.frames = surfaces.frames.data();
+  view_.frame_loads = surfaces.loads.data();
+  view_.surface_names = surface_names_.data();
 }
 
 }  // namespace scree

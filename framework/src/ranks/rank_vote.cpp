@@ -16,8 +16,21 @@ namespace scree {
 
 namespace {
 
-void add_plane(StateHash& hash, const scree_plane& plane) {
-  for (const double* vector : {plane.point, plane.normal, plane.velocity}) hash.add(vector, 3);
+// Hashes of the walls, the planes first, in the order of Boundaries::wall_name.
+std::vector<std::uint64_t> hashes_of(const Boundaries& boundaries) {
+  std::vector<std::uint64_t> hashes;
+  for (const scree_plane& plane : boundaries.planes()) {
+    StateHash hash;
+    for (const double* vector : {plane.point, plane.normal, plane.velocity}) hash.add(vector, 3);
+    hashes.push_back(hash.value());
+  }
+  for (const scree_frame& frame : boundaries.surfaces().frames) {
+    StateHash hash;
+    for (const double* vector : {frame.position, frame.velocity, frame.spin}) hash.add(vector, 3);
+    hash.add(frame.orientation, 4);
+    hashes.push_back(hash.value());
+  }
+  return hashes;
 }
 
 }  // namespace
@@ -25,7 +38,7 @@ void add_plane(StateHash& hash, const scree_plane& plane) {
 void RankVote::add_to(RankSums& sums) {
   if (!share_) return;
   StateHash hash;
-  for (const scree_plane& plane : boundaries_.planes()) add_plane(hash, plane);
+  for (const std::uint64_t wall : hashes_of(boundaries_)) hash.add(wall);
   walls_ = walls_of_all_ = std::int64_t(hash.value());
   sound_ = !share_->failure.any();
   interrupted_ = share_->is_interrupted && share_->is_interrupted();
@@ -44,11 +57,7 @@ void RankVote::conclude() {
 
 void RankVote::report_walls() const {
   std::vector<std::vector<std::uint64_t>> hashes(share_->ranks.size());
-  for (const scree_plane& plane : boundaries_.planes()) {
-    StateHash hash;
-    add_plane(hash, plane);
-    hashes[0].push_back(hash.value());
-  }
+  hashes[0] = hashes_of(boundaries_);
   const std::vector<std::vector<std::uint64_t>> of_ranks = exchange_items(share_->ranks, hashes);
   if (!share_->is_first()) throw SharedFailure("walls differ between ranks");
   std::size_t wall = 0;
@@ -59,7 +68,7 @@ void RankVote::report_walls() const {
     break;
   }
   throw Error(
-      fmt::format("wall {}", boundaries_.plane_names()[wall]),
+      fmt::format("wall {}", boundaries_.wall_name(wall)),
       "is not at the same place on all ranks: its plug-in does not compute the same from the same numbers",
       "let it read neither time nor random numbers of the machine, or run without --ranks",
       ExitStatus::blow_up);

@@ -83,7 +83,7 @@ SkinChoice::ListStatistics NeighbourList::list_statistics(const Particles& parti
                                                           const Contacts& contacts) const {
   if (share_) bring_others_();
   const auto [listed, touching] = count_pairs(particles, contacts, boundaries.domain(), ranks());
-  const double travelled = std::max(body_travel_, plane_travel_);
+  const double travelled = std::max(body_travel_, wall_travel());
   return {skin_, travelled, steps_, listed, touching, double(particles.size())};
 }
 

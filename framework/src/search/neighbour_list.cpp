@@ -4,6 +4,7 @@
 #include "ranks/bodies_near.hpp"
 #include "ranks/rank_sums.hpp"
 #include "ranks/row_routes.hpp"
+#include "surfaces/placed_surface.hpp"
 #include "walls/plane_transfer.hpp"
 
 #include <algorithm>
@@ -45,10 +46,19 @@ std::vector<NeighbourPair> without_fixed_pairs(const std::vector<NeighbourPair>&
   return pairs;
 }
 
-void add_near_planes(std::span<const Sphere> bodies, BodyRange range, const Boundaries& boundaries,
-                     int dimension, double skin, std::vector<PlanePair>& pairs) {
+std::vector<PlacedSurface> placed(const WallSurfaces& surfaces, int dimension) {
+  std::vector<PlacedSurface> placed;
+  for (std::size_t s = 0; s < surfaces.size(); ++s)
+    placed.emplace_back(surfaces.shapes[s], surfaces.frames[s], dimension);
+  return placed;
+}
+
+// Walls near the bodies of a range, of each body in the order of their numbers.
+void add_near_walls(std::span<const Sphere> bodies, BodyRange range, const Boundaries& boundaries,
+                    const std::vector<PlacedSurface>& surfaces, int dimension, double skin,
+                    std::vector<PlanePair>& pairs) {
   const std::vector<scree_plane>& planes = boundaries.planes();
-  for (std::uint32_t i = std::uint32_t(range.begin); i < range.end; ++i)
+  for (std::uint32_t i = std::uint32_t(range.begin); i < range.end; ++i) {
     for (std::uint32_t w = 0; w < planes.size(); ++w) {
       if (boundaries.absent()[w]) continue;
       double height = 0;
@@ -56,6 +66,10 @@ void add_near_planes(std::span<const Sphere> bodies, BodyRange range, const Boun
         height += (bodies[i].position[k] - planes[w].point[k]) * planes[w].normal[k];
       if (height < bodies[i].radius + skin) pairs.push_back({i, w});
     }
+    for (std::uint32_t s = 0; s < surfaces.size(); ++s)
+      if (surfaces[s].nearest(bodies[i].position).distance < bodies[i].radius + skin)
+        pairs.push_back({i, std::uint32_t(planes.size()) + s});
+  }
 }
 
 }  // namespace
@@ -64,6 +78,7 @@ void NeighbourList::update(double body_speed, double plane_speed, double step, P
                            const Boundaries& boundaries, Contacts& contacts, ThreadPool& threads) {
   body_travel_ += body_speed * step;
   plane_travel_ += plane_speed * step;
+  surface_travel_ += boundaries.largest_surface_speed(surface_reach_) * step;
   // The integrated largest speed overestimates the displacement; measure it before searching.
   ++steps_;
   const bool review = choice_.review_due(steps_);
@@ -82,9 +97,9 @@ void NeighbourList::update(double body_speed, double plane_speed, double step, P
 void NeighbourList::extend(double body_travel, double plane_reach, Particles& particles,
                            const Boundaries& boundaries, Contacts& contacts, ThreadPool& threads) {
   choice_.keep_above(least_reaches * plane_reach);
-  if (!used_up(body_travel_ + body_travel, plane_travel_ + plane_reach)) return;
+  if (!used_up(body_travel_ + body_travel, wall_travel() + plane_reach)) return;
   measure(particles, boundaries, threads);
-  if (!used_up(body_travel_, plane_travel_ + plane_reach)) return;
+  if (!used_up(body_travel_, wall_travel() + plane_reach)) return;
   if (!choice_.fixed()) skin_ = choice_.next_skin(list_statistics(particles, boundaries, contacts));
   search(body_travel_, particles, boundaries, contacts, threads);
 }
@@ -144,22 +159,45 @@ void NeighbourList::search(double moved, Particles& particles, const Boundaries&
   record_positions(particles, boundaries.domain(), threads);
   Contacts::Lookup lookup = lookup_;
   lookup.body_material = particles.material.data();
-  lookup.plane_material = boundaries.plane_materials().data();
+  const std::vector<std::uint32_t> wall_materials = boundaries.wall_materials();
+  lookup.plane_material = wall_materials.data();
+  lookup.surfaces_from = std::uint32_t(boundaries.planes().size());
   const int dimension = particles.dimension();
   const std::vector<NeighbourPair>& found = find_pairs(moved, particles, boundaries.domain(), threads);
   const std::vector<NeighbourPair> some = without_fixed_pairs(found, particles);
-  std::vector<PlanePair> near_planes;
+  std::vector<PlanePair> near_walls;
+  const std::vector<PlacedSurface> surfaces = placed(boundaries.surfaces(), dimension);
   for (const std::uint32_t tile : own_tiles(particles.size()))
-    add_near_planes(bodies_at_search_, BodyTiles(particles.size())[tile], boundaries, dimension, skin_,
-                    near_planes);
+    add_near_walls(bodies_at_search_, BodyTiles(particles.size())[tile], boundaries, surfaces, dimension,
+                   skin_, near_walls);
   contacts.rebuild(particles.fixed.empty() ? found : some,  // no copy of what was found
-                   near_planes, lookup, particles.order(), threads);
+                   near_walls, lookup, particles.order(), threads);
   planes_at_search_ = boundaries.planes();
   absent_at_search_ = boundaries.absent();
-  body_travel_ = plane_travel_ = 0;
+  body_travel_ = plane_travel_ = surface_travel_ = 0;
+  if (!surfaces.empty()) measure_reach(boundaries);
   steps_ = 0;
   ++rebuilds_;
   compare_order(contacts, dimension);
+}
+
+// A body may come nearer by a skin, and meet what is a radius away.
+void NeighbourList::measure_reach(const Boundaries& boundaries) {
+  const std::vector<scree_frame>& frames = boundaries.surfaces().frames;
+  surface_reach_.assign(frames.size(), 0);
+  RankSums sums(ranks());
+  for (std::size_t s = 0; s < frames.size(); ++s) {
+    const auto& origin = frames[s].position;
+    const Vec3 from = {{origin[0], origin[1], origin[2]}};
+    for (const std::uint32_t tile : own_tiles(bodies_at_search_.size())) {
+      const BodyRange range = BodyTiles(bodies_at_search_.size())[tile];
+      for (std::size_t i = range.begin; i < range.end; ++i)
+        surface_reach_[s] = std::max(surface_reach_[s], norm(bodies_at_search_[i].position - from) +
+                                                            bodies_at_search_[i].radius + skin_);
+    }
+    sums.largest(surface_reach_[s]);
+  }
+  sums.close();
 }
 
 std::vector<std::uint32_t> NeighbourList::own_tiles(std::size_t bodies) const {
@@ -248,6 +286,10 @@ void NeighbourList::transfer_but_bodies(const StateTransfer& state, const Partic
   state.value("searches", "1", rebuilds_);
   state.value("body_travel", "m", body_travel_, stored::non_negative);
   state.value("plane_travel", "m", plane_travel_, stored::non_negative);
+  if (boundaries.surfaces().size() > 0) {
+    state.value("surface_travel", "m", surface_travel_, stored::non_negative);
+    state.rows("surface_reach", "m", surface_reach_);
+  }
   transfer_crossing(state);
   transfer_planes(state.below("planes_at_search"), planes_at_search_);
 }

@@ -61,6 +61,7 @@ class NeighbourList {
   // After tiles have been dealt to ranks.
   void forget_near_bodies() { near_covered_ = 0; }
 
+  const std::vector<double>& surface_reach() const { return surface_reach_; }
   double skin() const { return skin_; }
   // Of each plane, whether it was absent at the last search.
   const std::vector<std::uint8_t>& absent_at_search() const { return absent_at_search_; }
@@ -68,7 +69,10 @@ class NeighbourList {
   std::uint64_t rebuilds() const { return rebuilds_; }
 
  private:
-  bool skin_used_up() const { return used_up(body_travel_, plane_travel_); }
+  bool skin_used_up() const { return used_up(body_travel_, wall_travel()); }
+  // How far from the origin of each surface bodies may meet it before the next search (m).
+  void measure_reach(const Boundaries& boundaries);
+  double wall_travel() const { return std::max(plane_travel_, surface_travel_); }
   bool used_up(double body_travel, double plane_travel) const {
     return body_travel + std::max(body_travel, plane_travel) >= skin_;
   }
@@ -102,8 +106,9 @@ class NeighbourList {
   NearBodies near_;          // of several ranks
   double near_covered_ = 0;  // skin (m) within which no body is missing there
   std::vector<NeighbourPair> own_pairs_;
-  double body_travel_ = 0, plane_travel_ = 0;  // (m) bounds of the displacement since the last search
-  BodyColumn<Sphere> bodies_at_search_;        // bodies at the last search
+  double body_travel_ = 0, plane_travel_ = 0, surface_travel_ = 0;  // (m) bounds since the last search
+  std::vector<double> surface_reach_;
+  BodyColumn<Sphere> bodies_at_search_;  // bodies at the last search
   std::vector<scree_plane> planes_at_search_;
   std::vector<std::uint8_t> absent_at_search_;
   std::uint64_t rebuilds_ = 0;

@@ -20,7 +20,7 @@ namespace {
 StateTransfer from(const State& state) { return StateTransfer::restoring_from(state); }
 StateTransfer bodies_of(const State& state) { return from(state).below("bodies"); }
 
-constexpr std::uint32_t no_plane = ~std::uint32_t(0);
+constexpr std::uint32_t no_wall = ~std::uint32_t(0);
 // Relative, of springs and energies, which earlier versions could keep as float.
 constexpr double single_precision = 1e-6;
 
@@ -59,7 +59,8 @@ void Branch::match_walls() {
   const std::vector<RecordedPlugin> recorded = recorded_boundaries(state_);
   for (std::size_t k = 0; k < recorded.size(); ++k) {
     const auto& [name, plugin_name, lines] = recorded[k];
-    if (Boundaries::stored_planes(state_, k).count == 0) continue;
+    const Boundaries::StoredWalls stored = Boundaries::stored_walls(state_, k);
+    if (stored.planes + stored.surfaces == 0) continue;
     const auto found = std::find_if(
         scene_.boundaries.begin(), scene_.boundaries.end(),
         [&, &wanted = name](const Scene::Boundary& boundary) { return boundary.name == wanted; });
@@ -156,12 +157,18 @@ void Branch::take_over_orientations(SimulationParts& parts) {
   report_.emplace_back("orientations");
 }
 
-std::vector<std::uint32_t> Branch::planes_here(const SimulationParts& parts) const {
-  std::vector<std::uint32_t> here(Boundaries::plane_count(state_), no_plane);
-  for (const Wall& wall : walls_) {
-    const auto [first, count] = Boundaries::stored_planes(state_, wall.from);
+std::vector<std::uint32_t> Branch::walls_here(const SimulationParts& parts) const {
+  const std::size_t planes = Boundaries::plane_count(state_);
+  std::vector<std::uint32_t> here(planes + Boundaries::surface_count(state_), no_wall);
+  const auto set = [&](std::size_t first, std::size_t count, std::size_t first_here) {
     for (std::size_t k = 0; k < count && first + k < here.size(); ++k)
-      here[first + k] = std::uint32_t(parts.boundaries.first_plane(wall.to) + k);
+      here[first + k] = std::uint32_t(first_here + k);
+  };
+  for (const Wall& wall : walls_) {
+    const Boundaries::StoredWalls stored = Boundaries::stored_walls(state_, wall.from);
+    set(stored.first_plane, stored.planes, parts.boundaries.first_plane(wall.to));
+    set(planes + stored.first_surface, stored.surfaces,
+        parts.boundaries.planes().size() + parts.boundaries.first_surface(wall.to));
   }
   return here;
 }
@@ -169,10 +176,11 @@ std::vector<std::uint32_t> Branch::planes_here(const SimulationParts& parts) con
 namespace {
 
 // Whether a body does not touch what it touches in the state, since the wall or the law is absent.
-bool is_absent(const SimulationParts& parts, bool plane, std::uint32_t a, std::uint32_t b) {
-  if (plane && parts.boundaries.absent()[b]) return true;
+bool is_absent(const SimulationParts& parts, bool wall, std::uint32_t a, std::uint32_t b) {
+  const Boundaries& boundaries = parts.boundaries;
+  if (wall && b < boundaries.planes().size() && boundaries.absent()[b]) return true;
   const Scene& scene = parts.scene;
-  const std::uint32_t other = plane ? parts.boundaries.plane_materials()[b] : scene.bodies[b].material;
+  const std::uint32_t other = wall ? boundaries.wall_materials()[b] : scene.bodies[b].material;
   const std::size_t pair = scene.bodies[a].material * scene.materials.size() + other;
   return scene.laws[scene.law_of[pair]].parameters.absent();
 }
@@ -189,12 +197,12 @@ std::size_t Branch::take_over_histories(SimulationParts& parts) {
 }
 
 Branch::Dropped Branch::each_row(SimulationParts& parts, const VisitRow& visit) const {
-  const std::vector<std::uint32_t> planes = planes_here(parts);
+  const std::vector<std::uint32_t> walls = walls_here(parts);
   Dropped dropped;
   each_history(state_, [&](const StoredHistory& stored) {
     if (!branching_.histories) return void(++dropped.asked);
-    const std::uint32_t b = !stored.plane ? stored.b : stored.b < planes.size() ? planes[stored.b] : no_plane;
-    if (b == no_plane) return void(++dropped.of_walls);
+    const std::uint32_t b = !stored.plane ? stored.b : stored.b < walls.size() ? walls[stored.b] : no_wall;
+    if (b == no_wall) return void(++dropped.of_walls);
     if (!stored.plane && scene_.bodies[stored.a].fixed && scene_.bodies[b].fixed)
       return void(++dropped.of_fixed);
     const auto [group, row] = parts.contacts.find(stored.plane, stored.a, b, parts.particles.order());
@@ -229,7 +237,8 @@ void Branch::count_lost(SimulationParts& parts) {
     released +=
         missing(before.elastic_tangential, parts.contact_sums.elastic_tangential + (same_laws ? 0 : lost));
   // Other laws store another energy.
-  const bool walls_left = !branching_.walls && Boundaries::plane_count(state_) > 0;
+  const bool walls_left =
+      !branching_.walls && Boundaries::plane_count(state_) + Boundaries::surface_count(state_) > 0;
   if (same_laws && (walls_left || dropped_.of_fixed > 0 || dropped_.of_absent > 0))
     released += missing(before.elastic_normal, parts.contact_sums.elastic_normal);
   parts.audit.add_released(released);

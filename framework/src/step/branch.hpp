@@ -52,8 +52,8 @@ class Branch {
   void count_lost(SimulationParts& parts);
   void report_cut(SimulationParts& parts, double lost, double before);
   void report_dropped(double energy, double before);
-  // The plane here of each plane in the state.
-  std::vector<std::uint32_t> planes_here(const SimulationParts& parts) const;
+  // The number here of each wall in the state.
+  std::vector<std::uint32_t> walls_here(const SimulationParts& parts) const;
 
   const Scene& wanted_;
   const State& state_;

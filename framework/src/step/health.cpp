@@ -54,8 +54,8 @@ void report_overlap(const Simulation& s) {
   }
   if (!(worst_ratio > s.scene().limits.overlap_ratio)) return;
   const std::uint32_t b = list.b[worst];
-  const std::string other = b < p.size() ? fmt::format("particle {}", p.id[b])
-                                         : fmt::format("wall {}", s.plane_names()[b - p.size()]);
+  const std::string other =
+      b < p.size() ? fmt::format("particle {}", p.id[b]) : fmt::format("wall {}", s.wall_name(b - p.size()));
   const bool unstable = s.step_length() > shortest_limit(s).longest_step;
   const char* cure = s.steps() > 0 && unstable ? "use a shorter time.step (it exceeds the stable step)"
                      : s.steps() > 0           ? "use a stiffer contact, a lower load or a shorter time.step"

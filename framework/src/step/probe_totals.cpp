@@ -27,8 +27,7 @@ ProbeTotals::ProbeTotals(SimulationParts& parts, const Probe& probe, const scree
 
 void ProbeTotals::count_contacts() {
   contacts_of_body_.resize(parts_.particles.size());
-  scree::count_contacts(parts_.particles, parts_.contacts, parts_.boundaries.planes(),
-                        parts_.boundaries.domain(), contacts_of_body_);
+  scree::count_contacts(parts_.particles, parts_.contacts, parts_.boundaries, contacts_of_body_);
   if (parts_.share) parts_.forces.return_counts(contacts_of_body_);
   part_.contacts_of_body = contacts_of_body_.data();
 }
@@ -47,9 +46,9 @@ std::vector<double> ProbeTotals::of_tile(std::size_t tile, std::uint32_t pass,
   part.totals = before.data();
   ContactList contacts;
   if (probe_.needs() & SCREE_NEEDS_CONTACTS) {
-    contacts = touching_contacts_of({parts_.particles, parts_.contacts, parts_.forces.pair_forces(),
-                                     parts_.laws, parts_.boundaries.planes(), parts_.boundaries.domain()},
-                                    tile);
+    contacts = touching_contacts_of(
+        {parts_.particles, parts_.contacts, parts_.forces.pair_forces(), parts_.laws, parts_.boundaries},
+        tile);
     show(contacts, part);
   }
   return probe_.totals_of_part(part, pass);

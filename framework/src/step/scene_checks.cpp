@@ -9,6 +9,8 @@ namespace scree {
 
 std::size_t plane_count(const Scene& scene) { return boundaries_of(scene).planes().size(); }
 
+std::vector<std::string> surface_names(const Scene& scene) { return boundaries_of(scene).surfaces().names; }
+
 Domain periodic_domain(const Scene& scene) { return boundaries_of(scene).domain(); }
 
 namespace {

@@ -214,6 +214,11 @@ void Simulation::add_body_forces(scree_body_batch& batch, double time) const {
 }
 const Contacts& Simulation::contacts() const { return parts_->all_pairs().contacts; }
 
+const std::string& Simulation::wall_name(std::size_t wall) const {
+  return parts_->boundaries.wall_name(wall);
+}
+const WallSurfaces& Simulation::surfaces() const { return parts_->boundaries.surfaces(); }
+
 WallEquations Simulation::linear_walls() const { return linear_walls(parts_->stepper.time(), planes()); }
 WallEquations Simulation::linear_walls(double time, const std::vector<scree_plane>& planes) const {
   return parts_->boundaries.linear_walls(time, planes);
@@ -223,7 +228,7 @@ ContactList Simulation::listed_contacts(bool loaded) const {
   SimulationParts& p = *parts_;
   p.in_scene_order();  // before the bodies are read
   const auto [contacts, forces] = p.all_pairs();
-  return touching_contacts({p.particles, contacts, forces, p.laws, planes(), domain()},
+  return touching_contacts({p.particles, contacts, forces, p.laws, p.boundaries},
                            loaded ? ListedPairs::touching_or_loaded : ListedPairs::touching);
 }
 

@@ -61,7 +61,7 @@ double max_skin_of(const Scene& scene, const BodyFacts& bodies, const Domain& do
 
 double speed_limit_of(const Scene& scene, const BodyFacts& bodies, const Boundaries& boundaries) {
   if (scene.limits.speed > 0) return scene.limits.speed;
-  return bodies.smallest_radius / scene.step + (boundaries.planes().empty() ? norm(bodies.drift) : 0);
+  return bodies.smallest_radius / scene.step + (boundaries.wall_count() == 0 ? norm(bodies.drift) : 0);
 }
 
 unsigned threads_of(const Scene& scene, const BodyFacts& bodies) {
@@ -69,21 +69,25 @@ unsigned threads_of(const Scene& scene, const BodyFacts& bodies) {
   return unsigned(std::clamp<std::size_t>(useful, 1, std::max(1u, scene.threads)));
 }
 
-Particles::Features features_of(const Scene& scene, const BodyFacts& bodies, bool periodic) {
-  return {.spin = needs_spin(scene, bodies),
-          .images = periodic,
+// Loads on surfaces have torques, which only records of bodies with spin have room for.
+Particles::Features features_of(const Scene& scene, const BodyFacts& bodies, const Boundaries& boundaries) {
+  return {.spin = needs_spin(scene, bodies) || boundaries.surfaces().size() > 0,
+          .images = boundaries.domain().any_periodic(),
           .orientations = needs_orientations(scene),
           .fixed = bodies.any_fixed,
           .held = bodies.any_held};
 }
 
-// Empty pair groups: for each law, pairs of bodies and, in a scene with walls, pairs with planes.
+// Empty pair groups: for each law, pairs of bodies and, in a scene with walls, pairs with planes and
+// surfaces.
 Contacts make_contacts(const SimulationParts& parts) {
   std::vector<Contacts::Kind> kinds;
-  for (std::uint32_t k = 0; k < parts.laws.size(); ++k)
-    for (const bool planes : {false, true})
-      if (!planes || !parts.boundaries.planes().empty())
-        kinds.push_back({k, planes, parts.laws[k].interface.history_width});
+  for (std::uint32_t k = 0; k < parts.laws.size(); ++k) {
+    const std::uint32_t width = parts.laws[k].interface.history_width;
+    kinds.push_back({k, false, width});
+    if (!parts.boundaries.planes().empty()) kinds.push_back({k, true, width});
+    if (parts.boundaries.surfaces().size() > 0) kinds.push_back({k, true, width, true});
+  }
   return Contacts(kinds, BodyTiles(parts.particles.size()));
 }
 
@@ -99,8 +103,7 @@ bool depends_on_orientations(const Parameters& law, int dimension) {
 
 SimulationParts::SimulationParts(Scene given)
     : SimulationParts(std::move(given), facts_of(checked(given).bodies, given.dimension)) {
-  particles =
-      Particles(scene.dimension, features_of(scene, facts, boundaries.domain().any_periodic()), scene.bodies);
+  particles = Particles(scene.dimension, features_of(scene, facts, boundaries), scene.bodies);
   driven = DrivenBodies(scene, particles);
 }
 
@@ -109,7 +112,7 @@ SimulationParts::SimulationParts(Scene&& given, const BodyFacts& bodies)
       facts(bodies),
       boundaries(scene.boundaries, scene.dimension, facts.bounds),
       body_forces(scene.body_forces, scene.dimension, scene.audit),
-      particles(scene.dimension, features_of(scene, facts, boundaries.domain().any_periodic()), facts.count),
+      particles(scene.dimension, features_of(scene, facts, boundaries), facts.count),
       driven(scene, particles),
       law_of(scene.law_of),
       neighbours(skin_of(scene, facts), max_skin_of(scene, facts, boundaries.domain()),
@@ -167,7 +170,7 @@ void SimulationParts::search_neighbours() {
 
 void SimulationParts::transfer_pairs(const StateTransfer& state) {
   const StateTransfer of_contacts = state.below("contacts");
-  const std::size_t planes = boundaries.planes().size();
+  const std::size_t planes = boundaries.wall_count();
   if (state.restoring()) {
     contacts.transfer(of_contacts, particles.order(), planes);
     neighbours.transfer(state.below("neighbours"), particles, boundaries);
@@ -212,7 +215,7 @@ void SimulationParts::come_to_rest(const RestingPacking& packing) {
   if (particles.orientations) particles.orientations = packing.orientations;
   boundaries.come_to_rest(packing.planes, packing.loads);
   search_neighbours();
-  forces.update_pairs(particles, contacts, reads_of(laws), boundaries.planes().size(), *threads);
+  forces.update_pairs(particles, contacts, reads_of(laws), boundaries.wall_count(), *threads);
   contacts.clear_histories();
   for (const ContactHistory& contact : packing.contacts) {
     const std::size_t bodies = particles.size();
@@ -246,6 +249,11 @@ void SimulationParts::configure_laws() {
           fmt::format("contact law '{}' now reads orientations, but the scene does not carry them; "
                       "set the parameters that need them from the start",
                       law.name));
+    if (boundaries.surfaces().size() > 0 && kernel::reads_paths(instance))
+      throw Error(fmt::format(
+          "contact law '{}' follows bodies along their paths, which it cannot on surface {}; choose a law with "
+          "springs, such as hertz_mindlin, or a plane",
+          law.name, boundaries.surfaces().names[0]));
     laws.push_back({.interface = instance,
                     .storage = configured_laws.back().storage(),
                     .touching = OnsetWeights::of_power(instance.onset_power),

@@ -108,7 +108,7 @@ void SimulationParts::deal_tiles(TileOwners next) {
   share->dealt_after = neighbours.rebuilds();
   share->owners = std::move(next);
   neighbours.forget_near_bodies();
-  forces.update_pairs(particles, contacts, reads_of(laws), boundaries.planes().size(), *threads);
+  forces.update_pairs(particles, contacts, reads_of(laws), boundaries.wall_count(), *threads);
   if (with_forces && forces.columns() > 0) forces.pair_forces() = std::move(of_pairs);
   stepper.take_own_parts();
   share->busy = 0;
@@ -215,8 +215,7 @@ void SimulationParts::add_histories(StateHash& hash) {
 SimulationParts::PairCounts SimulationParts::count_pairs() {
   if (share) forces.bring_bodies_of_others(particles);
   std::int64_t listed = std::int64_t(contacts.listed());
-  std::int64_t touching =
-      std::int64_t(count_touching(particles, contacts, boundaries.planes(), boundaries.domain()));
+  std::int64_t touching = std::int64_t(count_touching(particles, contacts, boundaries));
   CrossingPairs of_bodies = contacts.crossing();
   RankSums sums(ranks());
   sums.total(listed);

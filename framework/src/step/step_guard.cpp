@@ -104,7 +104,7 @@ double stable_step(const ConfiguredLaw& law, scree_encounter encounter, double n
 std::vector<std::size_t> bodies_near_planes(const Simulation& s) {
   std::vector<std::size_t> near(s.planes().size(), 0);
   for (const PairGroup& group : s.contacts().groups())
-    if (group.planes) group.each_pair([&](std::size_t p) { ++near[s.contacts().b[p]]; });
+    if (group.planes && !group.surfaces) group.each_pair([&](std::size_t p) { ++near[s.contacts().b[p]]; });
   return near;
 }
 
@@ -164,7 +164,7 @@ void add_motion(const Simulation& s, std::vector<StepLimit>& limits) {
 }  // namespace
 
 Vec3 drift_velocity(const Scene& scene) {
-  return boundaries_of(scene).planes().empty() ? drift_of(scene.bodies) : Vec3{};
+  return boundaries_of(scene).wall_count() == 0 ? drift_of(scene.bodies) : Vec3{};
 }
 
 double expected_speed(const Scene& scene) {

@@ -85,7 +85,9 @@ std::optional<double> Stepper::substep(double step, std::optional<double> next) 
   laps.lap(Profile::neighbours);
   begin_walls(elapsed, step);
   const double plane_speed = p.boundaries.largest_speed();
-  if (!std::isfinite(plane_speed)) return std::nullopt;
+  const double wall_speed =
+      std::max(plane_speed, p.boundaries.largest_surface_speed(p.neighbours.surface_reach()));
+  if (!std::isfinite(wall_speed)) return std::nullopt;
   laps.lap(Profile::boundaries);
 
   p.neighbours.update(speed, plane_speed, std::abs(step), p.particles, p.boundaries, p.contacts, *p.threads);
@@ -93,7 +95,7 @@ std::optional<double> Stepper::substep(double step, std::optional<double> next) 
   laps.lap(Profile::neighbours);
 
   // Do not start the next step when a limit may be exceeded, so that errors are reported for the right time.
-  if (too_fast(square_speed) || may_become_too_deep(std::max(speed, plane_speed) * step)) next.reset();
+  if (too_fast(square_speed) || may_become_too_deep(std::max(speed, wall_speed) * step)) next.reset();
   if (p.driven.any()) plan_driven(times, next);
   const bool finite = evaluate_forces(elapsed, {.finish = step, .begin = next});
 

@@ -65,6 +65,8 @@ bool Stepper::evaluate_forces(double elapsed, const Moves& moves) {
        .laws = p.laws,
        .planes = p.boundaries.planes(),
        .loads = p.boundaries.loads(),
+       .surfaces = p.boundaries.surfaces(),
+       .frame_loads = p.boundaries.frame_loads(),
        .domain = p.boundaries.domain(),
        .elapsed = elapsed,
        .kick = moves.finish.value_or(0)},
@@ -83,7 +85,7 @@ bool Stepper::evaluate_forces(double elapsed, const Moves& moves) {
   vote.conclude();
   p.body_sums = all.bodies;
   if (p.driven.any() && p.scene.audit) p.audit.add_work(all.work);
-  p.momentum_audit.add_step(elapsed, all.momentum, p.boundaries.loads());
+  p.momentum_audit.add_step(elapsed, all.momentum, p.boundaries.loads(), p.boundaries.surfaces().loads);
   return all.finite;
 }
 

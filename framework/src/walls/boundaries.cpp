@@ -2,6 +2,7 @@
 
 #include "plugins/plugin_call.hpp"
 #include "walls/boundary_checks.hpp"
+#include "walls/boundary_surfaces.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,12 +29,13 @@ Boundaries::Boundaries(const std::vector<Scene::Boundary>& entries, int dimensio
 }
 
 void Boundaries::add(const Scene::Boundary& entry) {
-  members_.push_back(
-      {entry, ConfiguredBoundary(entry.parameters, dimension_, lower_, upper_), planes_.size()});
+  members_.push_back({entry, ConfiguredBoundary(entry.parameters, dimension_, lower_, upper_), planes_.size(),
+                      surfaces_.size()});
   Member& member = members_.back();
   check_layout(member.plugin_name(), member.plugin.instance(), dimension_);
   add_domain(member);
   list_planes(member);
+  list_surfaces(member);
   member.state.assign(member.plugin.instance().state_width, 0.0);
   start(member);
 }
@@ -83,6 +85,7 @@ void Boundaries::start(Member& member) {
       throw Error(
           fmt::format("boundary plug-in {}, wall {}: {} at the start; correct its parameters, or the plug-in",
                       member.plugin_name(), names_[std::size_t(&plane - planes_.data())], problem));
+  check_frames(member, "at the start; correct its parameters, or the plug-in", ExitStatus::bad_input);
 }
 
 void Boundaries::check_walls_against_domain() const {
@@ -119,7 +122,9 @@ void Boundaries::show_domain() {
 
 scree_boundary_step Boundaries::step_of(Member& member, double time, double step,
                                         scree_boundary_energy& energy) {
-  return step_of(member, planes_of(member), member.state, time, step, energy);
+  scree_boundary_step s = step_of(member, planes_of(member), member.state, time, step, energy);
+  s.frames = frames_of(member).data();
+  return s;
 }
 
 scree_boundary_step Boundaries::step_of(const Member& member, std::span<scree_plane> planes,
@@ -137,17 +142,13 @@ scree_boundary_step Boundaries::step_of(const Member& member, std::span<scree_pl
   s.state = state.data();
   s.energy = &energy;
   s.scene = &shared_;
+  s.surface_count = member.plugin.instance().surface_count;
+  s.frame_loads = surfaces_.loads.data() + member.first_surface;
   return s;
 }
 
 std::span<scree_plane> Boundaries::planes_of(const Member& member) {
   return {planes_.data() + member.first_plane, member.plugin.instance().plane_count};
-}
-
-void Boundaries::extrapolate(double time) {
-  planes_before_extrapolation_ = planes_;
-  for (scree_plane& plane : planes_)
-    for (int k = 0; k < 3; ++k) plane.point[k] += time * plane.velocity[k];
 }
 
 void Boundaries::reconfigure(const std::string& name, const Parameters& parameters, double time,
@@ -162,6 +163,9 @@ void Boundaries::reconfigure(const std::string& name, const Parameters& paramete
       throw Error(fmt::format(
           "boundary '{}': these parameters change its number of walls, which must be the same in all stages",
           name));
+    if (!same_surfaces(changed.instance(), member.plugin.instance()))
+      throw Error(fmt::format(
+          "boundary '{}': these parameters change its surfaces, which must be the same in all stages", name));
     std::swap(member.plugin, changed);
     std::swap(member.clock, clock);
     member.entry.parameters = parameters;
@@ -187,6 +191,9 @@ void Boundaries::change(Member& member, const ConfiguredBoundary& before, double
   if (member.still())
     for (scree_plane& plane : planes_of(member))
       for (int k = 0; k < 3; ++k) plane.velocity[k] = plane.mid_velocity[k] = 0;
+  for (scree_frame& frame : frames_of(member))
+    for (int k = 0; member.still() && k < 3; ++k)
+      frame.velocity[k] = frame.mid_velocity[k] = frame.spin[k] = frame.mid_spin[k] = 0;
   energy.work += energy.kinetic - member.energy.kinetic;
   member.energy.kinetic = energy.kinetic;
   add_energy(member, energy);
@@ -233,6 +240,10 @@ double Boundaries::largest_speed() const {
 void Boundaries::add_to_hash(StateHash& hash) const {
   for (const Member& member : members_) hash.add(member.state.data(), member.state.size());
   for (const scree_plane& plane : planes_) hash.add(plane.point, 3), hash.add(plane.velocity, 3);
+  for (const scree_frame& frame : surfaces_.frames) {
+    for (const double* vector : {frame.position, frame.velocity, frame.spin}) hash.add(vector, 3);
+    hash.add(frame.orientation, 4);
+  }
 }
 
 Boundaries boundaries_of(const Scene& scene) {

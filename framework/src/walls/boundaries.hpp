@@ -13,6 +13,7 @@
 #include <scree/scene.hpp>
 #include <scree/state.hpp>
 #include <scree/wall_equations.hpp>
+#include <scree/wall_surfaces.hpp>
 
 namespace scree {
 
@@ -35,17 +36,24 @@ class Boundaries {
   // For integrators that evaluate forces at mid-step: moves the planes ahead by a time (s) at constant
   // velocity, for output; and back to the positions of the force evaluation, before the next begin_step.
   void extrapolate(double time);
-  void undo_extrapolation() { planes_ = planes_before_extrapolation_; }
+  void undo_extrapolation();
   // Sets new parameters of a boundary; its functions of time start again at `time` (s), but functions of the
   // keys in `going_on` continue; positions of planes are kept. A jump of kinetic energy counts as work.
   void reconfigure(const std::string& name, const Parameters& parameters, double time,
                    const std::vector<std::string>& going_on = {});
 
+  int dimension() const { return dimension_; }
   const Domain& domain() const { return domain_; }
   const std::vector<scree_plane>& planes() const { return planes_; }
   const std::vector<scree_load>& loads() const { return loads_; }
   std::vector<scree_load>& loads() { return loads_; }
   const std::vector<std::uint32_t>& plane_materials() const { return materials_; }
+  const WallSurfaces& surfaces() const { return surfaces_; }
+  std::vector<scree_frame_load>& frame_loads() { return surfaces_.loads; }
+  // Planes and surfaces; these are numbered behind the planes.
+  std::size_t wall_count() const { return planes_.size() + surfaces_.size(); }
+  std::vector<std::uint32_t> wall_materials() const;
+  const std::string& wall_name(std::size_t wall) const;
   // "<boundary>.<plane>" of each plane.
   const std::vector<std::string>& plane_names() const { return names_; }
   // Mass of each plane (kg); 0 for planes that forces do not move.
@@ -58,22 +66,27 @@ class Boundaries {
   double largest_damping_rate() const;
   // Sum over all boundaries.
   scree_boundary_energy energy() const;
-  // Largest mid-step speed of a plane along its normal (m/s); infinite if any is not finite.
+  // Largest mid-step speed (m/s) of a plane along its normal, and with which a surface may come to where it
+  // was not; infinite if any is not finite.
   double largest_speed() const;
+  // reach: of each surface, how far from the origin of its frame bodies may meet it (m); empty: anywhere.
+  double largest_surface_speed(std::span<const double> reach) const;
   // How forces move planes at a time (s), with the planes where they are given. Throws Error as
   // Simulation::linear_walls does.
   WallEquations linear_walls(double time, const std::vector<scree_plane>& planes) const;
   void add_to_hash(class StateHash& hash) const;
-  // The planes that a state has of boundary `boundary`, and the number of all its planes.
-  struct StoredPlanes {
-    std::uint64_t first, count;
+  // The walls that a state has of boundary `boundary`, and the number of all its planes and surfaces.
+  struct StoredWalls {
+    std::uint64_t first_plane = 0, planes = 0, first_surface = 0, surfaces = 0;
   };
-  static StoredPlanes stored_planes(const State& state, std::size_t boundary);
+  static StoredWalls stored_walls(const State& state, std::size_t boundary);
   static std::size_t plane_count(const State& state);
+  static std::size_t surface_count(const State& state);
   // Takes over the walls of boundary `from` of a state for the boundary of that name; plug-in and
   // parameters of both are the same.
   void take_over(const State& state, std::size_t from, const std::string& name);
   std::size_t first_plane(std::size_t boundary) const { return members_[boundary].first_plane; }
+  std::size_t first_surface(std::size_t boundary) const { return members_[boundary].first_surface; }
   // Moves the planes to points (m), at rest and with the forces of contacts on them.
   void come_to_rest(std::span<const Vec3> points, std::span<const scree_load> loads);
   // Begins the balance and the programs anew, at t = 0.
@@ -85,7 +98,7 @@ class Boundaries {
   struct Member {
     Scene::Boundary entry;
     ConfiguredBoundary plugin;
-    std::size_t first_plane;
+    std::size_t first_plane, first_surface;
     Clock clock = {};
     std::vector<double> state = {};
     scree_boundary_energy energy = {};
@@ -95,6 +108,11 @@ class Boundaries {
   void add(const Scene::Boundary& entry);
   void add_domain(const Member& member);
   void list_planes(const Member& member);
+  void list_surfaces(const Member& member);
+  void transfer_surfaces(const class StateTransfer& state, bool extrapolated);
+  void take_over_surfaces(const State& state, const StoredWalls& stored, Member& member);
+  // Throws Error if a frame is not as it must be; while: "at the start".
+  void check_frames(const Member& member, const std::string& when, ExitStatus status) const;
   // Masses and absences of its planes, which change with the parameters.
   void show_planes(const Member& member);
   void start(Member& member);
@@ -106,6 +124,7 @@ class Boundaries {
   scree_boundary_step step_of(const Member& member, std::span<scree_plane> planes, std::span<double> state,
                               double time, double step, scree_boundary_energy& energy) const;
   std::span<scree_plane> planes_of(const Member& member);
+  std::span<scree_frame> frames_of(const Member& member);
   // time_before: `time` (s) as the plug-in saw it until now.
   void change(Member& member, const ConfiguredBoundary& before, double time_before, double time);
   // Adds work and dissipated energy of a call.
@@ -122,6 +141,8 @@ class Boundaries {
   std::vector<Member> members_;
   std::vector<scree_plane> planes_, planes_before_extrapolation_;
   std::vector<scree_load> loads_;
+  WallSurfaces surfaces_;
+  std::vector<scree_frame> frames_before_extrapolation_;
   std::vector<std::uint32_t> materials_;
   std::vector<std::string> names_;
   std::vector<const char*> name_pointers_;

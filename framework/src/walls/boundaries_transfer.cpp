@@ -1,3 +1,4 @@
+#include "surfaces/frame_transfer.hpp"
 #include "walls/boundaries.hpp"
 #include "walls/plane_transfer.hpp"
 
@@ -17,6 +18,13 @@ void Boundaries::transfer(const StateTransfer& state, bool extrapolated) {
     of_member.value("plane_count", "1", planes);
     if (first_plane != member.first_plane || planes != member.plugin.instance().plane_count)
       of_member.refuse("plane_count", "or 'first_plane' is not that of the boundary here");
+    if (surfaces_.size() > 0) {
+      std::uint64_t first_surface = member.first_surface, surfaces = member.plugin.instance().surface_count;
+      of_member.value("first_surface", "", first_surface);
+      of_member.value("surface_count", "1", surfaces);
+      if (first_surface != member.first_surface || surfaces != member.plugin.instance().surface_count)
+        of_member.refuse("surface_count", "or 'first_surface' is not that of the boundary here");
+    }
     member.clock.transfer(of_member);
     if (state.restoring() && member.clock.shows_others()) configure_by_clock(member);
     of_member.sized_rows("state", "1", member.state, 1, stored::any);
@@ -27,6 +35,7 @@ void Boundaries::transfer(const StateTransfer& state, bool extrapolated) {
   transfer_planes(state.below("planes"), planes_);
   double* const force = loads_.empty() ? nullptr : loads_[0].force;
   state.vectors("load", "N", {force, 3, loads_.size(), 0, 3}, 0, 3);
+  if (surfaces_.size() > 0) transfer_surfaces(state.below("surfaces"), extrapolated);
   Vec3 lower = domain_.lower, upper = domain_.upper;
   state.numbers("domain_lower", "m", lower.component, 3);
   state.numbers("domain_upper", "m", upper.component, 3);
@@ -37,23 +46,53 @@ void Boundaries::transfer(const StateTransfer& state, bool extrapolated) {
   transfer_planes(state.below("before_extrapolation"), planes_before_extrapolation_);
 }
 
-Boundaries::StoredPlanes Boundaries::stored_planes(const State& state, std::size_t boundary) {
+void Boundaries::transfer_surfaces(const StateTransfer& state, bool extrapolated) {
+  transfer_frames(state, surfaces_.frames);
+  double* const loads = surfaces_.loads[0].force;
+  state.vectors("load", "N", {loads, 6, surfaces_.size(), 0, 3}, 0, 3);
+  state.vectors("torque", "N m", {loads + 3, 6, surfaces_.size(), 0, 3}, 0, 3);
+  if (!extrapolated) return;
+  frames_before_extrapolation_.resize(surfaces_.size());
+  transfer_frames(state.below("before_extrapolation"), frames_before_extrapolation_);
+}
+
+Boundaries::StoredWalls Boundaries::stored_walls(const State& state, std::size_t boundary) {
   const StateTransfer of_member =
       StateTransfer::restoring_from(state).below("walls").below(std::to_string(boundary));
-  StoredPlanes planes = {0, 0};
-  of_member.value("first_plane", "", planes.first);
-  of_member.value("plane_count", "1", planes.count);
-  return planes;
+  StoredWalls stored;
+  of_member.value("first_plane", "", stored.first_plane);
+  of_member.value("plane_count", "1", stored.planes);
+  if (!of_member.has("surface_count")) return stored;  // no boundary has any
+  of_member.value("first_surface", "", stored.first_surface);
+  of_member.value("surface_count", "1", stored.surfaces);
+  return stored;
 }
 
 std::size_t Boundaries::plane_count(const State& state) { return state.at("walls/planes/point").size() / 3; }
+
+std::size_t Boundaries::surface_count(const State& state) {
+  constexpr const char* positions = "walls/surfaces/position";
+  return state.has(positions) ? state.at(positions).size() / 3 : 0;
+}
+
+void Boundaries::take_over_surfaces(const State& state, const StoredWalls& stored, Member& member) {
+  std::vector<scree_frame> all(surface_count(state));
+  const StateTransfer surfaces = StateTransfer::restoring_from(state).below("walls").below("surfaces");
+  if (!all.empty()) transfer_frames(surfaces, all);
+  const std::span<scree_frame> frames = frames_of(member);
+  if (stored.surfaces != frames.size() || stored.surfaces > all.size() ||
+      stored.first_surface > all.size() - stored.surfaces)
+    surfaces.refuse("position", "has not the surfaces of the boundary here");
+  std::copy_n(all.begin() + std::ptrdiff_t(stored.first_surface), frames.size(), frames.begin());
+}
 
 void Boundaries::take_over(const State& state, std::size_t from, const std::string& name) {
   const StateTransfer walls = StateTransfer::restoring_from(state).below("walls"),
                       of_member = walls.below(std::to_string(from));
   for (Member& member : members_) {
     if (member.entry.name != name) continue;
-    const auto [first_plane, count] = stored_planes(state, from);
+    const StoredWalls stored = stored_walls(state, from);
+    const auto [first_plane, count] = std::pair(stored.first_plane, stored.planes);
     of_member.sized_rows("state", "1", member.state, 1, stored::any);
     of_member.value("kinetic", "J", member.energy.kinetic, stored::any);
     std::vector<scree_plane> all(plane_count(state));
@@ -62,6 +101,7 @@ void Boundaries::take_over(const State& state, std::size_t from, const std::stri
     if (count != planes.size() || count > all.size() || first_plane > all.size() - count)
       of_member.refuse("plane_count", "is not that of the boundary here");
     std::copy_n(all.begin() + std::ptrdiff_t(first_plane), planes.size(), planes.begin());
+    take_over_surfaces(state, stored, member);
   }
 }
 

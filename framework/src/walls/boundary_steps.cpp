@@ -60,6 +60,9 @@ void Boundaries::check_finite(const Member& member, double time) {
                               names_[std::size_t(&plane - planes_.data())]),
                   fmt::format("{} at t = {:g} s", problem_of(plane), time),
                   "give it more mass or viscosity, or a shorter time.step", ExitStatus::blow_up);
+  check_frames(member,
+               fmt::format("at t = {:g} s; give it more mass or viscosity, or a shorter time.step", time),
+               ExitStatus::blow_up);
 }
 
 }  // namespace scree

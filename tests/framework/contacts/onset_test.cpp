@@ -28,10 +28,11 @@ std::unique_ptr<BlockColumns> pairs(const std::vector<double>& depths, double cl
     w->mid_velocity[1][i] = 1;
     w->input[SCREE_OVERLAP][i] = i < depths.size() ? depths[i] * onset_step : -1;
   }
-  if (resolve_motion<3, false, false, true>(true, radius_sums.data(), onset_step, kick, block_size, *w) > 0)
-    resolve_onsets<3, false, false, true>(true, radius_sums.data(), onset_step, kick,
-                                          OnsetWeights::of_power(touching), OnsetWeights::of_power(parting),
-                                          block_size, *w);
+  if (resolve_motion<3, false, Partner::body, true>(true, radius_sums.data(), onset_step, kick, block_size,
+                                                    *w) > 0)
+    resolve_onsets<3, false, Partner::body, true>(true, radius_sums.data(), onset_step, kick,
+                                                  OnsetWeights::of_power(touching),
+                                                  OnsetWeights::of_power(parting), block_size, *w);
   else  // onset weights of a block without such pairs
     std::fill_n(w->input[SCREE_ONSET_WEIGHT], block_size, 1.0);
   return w;

@@ -74,7 +74,7 @@ std::vector<Probe> probes_of(const Scene& scene) {
 // With the totals of a simulation, and a view of walls alone once the probe has started.
 std::vector<double> row_of(Probe& probe, const Simulation& s) {
   const SimulationView view(s, probe.view_needs(), NAN, probe.listed_bodies());
-  return probe.sample(view.get(), {}, s.totals_of(probe));
+  return probe.sample(view.get(), {}, [&] { return s.totals_of(probe); });
 }
 
 // Rows at several times, as bits.

@@ -17,7 +17,7 @@ constexpr const char* footer =
     "Example:\n"
     "  scree run scenarios/david2005/quickstart.toml --out runs/first\n"
     "  scree describe linear_spring_dashpot normal_stiffness=5000 normal_damping=0.05\n"
-    "Exit status: 0 done, 1 an expectation was not met, 2 bad input (nothing written), 3 the run blew up,\n"
+    "Exit status: 0 done, 1 an expectation was not met or the run failed, 2 bad input (nothing written), 3 the run blew up,\n"
     "4 a stage was not reached in time (what it wrote is kept), 130 interrupted (the same).";
 
 constexpr const char* lost_output =

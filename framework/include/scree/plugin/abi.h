@@ -19,12 +19,13 @@
 #include <scree/plugin/abi/contact_law.h>
 #include <scree/plugin/abi/parameters.h>
 #include <scree/plugin/abi/probe.h>
+#include <scree/plugin/abi/surface.h>
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-#define SCREE_ABI_VERSION 13u
+#define SCREE_ABI_VERSION 14u
 #define SCREE_QUERY_SYMBOL "scree_plugin_query"
 
 typedef enum scree_kind {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstring>
+#include <limits>
 #include <new>
 #include <optional>
 #include <span>
@@ -8,6 +9,7 @@
 
 #include <scree/plugin/abi.h>
 #include <scree/plugin/declaration.hpp>
+#include <scree/plugin/rotation.hpp>
 #include <scree/plugin/vec.hpp>
 
 // How to write a boundary: plugins/README.md. An author's struct has
@@ -44,6 +46,46 @@ struct WallLoad {
   Vec3 force;  // (N)
 };
 
+// A surface in its own frame, by its C struct; see abi/surface.h.
+struct Surface : scree_surface {
+  static constexpr double infinite = std::numeric_limits<double>::infinity();
+
+  // In the plane z = 0, or in 2D on the line y = 0, with half lengths (m) that may be infinite.
+  static Surface flat(double along_x, double along_y, scree_side side) {
+    return {{SCREE_FLAT, std::uint32_t(side), {along_x, along_y}}};
+  }
+  // The line from (radius, z) to another one (m), turned about z.
+  static Surface revolved(double radius, double z, double end_radius, double end_z, scree_side side) {
+    return {{SCREE_REVOLVED, std::uint32_t(side), {radius, z, end_radius, end_z}}};
+  }
+  // The part of a sphere, in 2D of a circle, between two heights (m) along z, in 2D along y.
+  static Surface ball(double radius, double low, double high, scree_side side) {
+    return {{SCREE_BALL, std::uint32_t(side), {radius, low, high}}};
+  }
+};
+
+// Where the frame of a surface is, and how it moves. It is the C struct scree_frame with vectors.
+struct Frame {
+  Vec3 position;         // (m) of its origin
+  Rotation orientation;  // of its axes
+  Vec3 velocity;         // (m/s) of the origin at the end of the step
+  Vec3 spin;             // (rad/s) at the end of the step
+  Vec3 mid_velocity;     // (m/s) displacement in the step / step
+  Vec3 mid_spin;         // (rad/s) rotation vector of the turn in the step / step
+
+  // Moves by the mean velocity and turns by the mean spin for a time (s).
+  void advance(double time) {
+    position += time * mid_velocity;
+    orientation = Rotation::by(time * mid_spin) * orientation;
+  }
+};
+
+// What all contacts exert on a surface.
+struct FrameLoad {
+  Vec3 force;   // (N)
+  Vec3 torque;  // (N m) about the origin of its frame
+};
+
 // Output of a call, initialised to 0. `kinetic` is the present energy of the walls (J); `work` (J) is done on
 // the scene by pressing forces and prescribed motion, and `dissipated` (J) by viscosity, in this call.
 using BoundaryEnergy = scree_boundary_energy;
@@ -69,6 +111,8 @@ struct BoundaryStep {
   BoundaryEnergy& energy;
   const scree_boundary_scene* shared;
   const scree_displaced_loads* displaced_loads;
+  std::span<Frame> frames;  // of the surfaces
+  std::span<const FrameLoad> frame_loads;
 
   BoundaryScene scene() const;
   // In `begin_step` with a displacement_speed: the load of a wall at the end of the step after a displacement
@@ -91,6 +135,8 @@ struct BoundaryLayout {
                                           // load_after; 0: it does not
   bool still = false;                     // no wall moves, and begin_step and finish_step are not called
   std::optional<Axis> periodic[3] = {};   // the same in all stages
+  std::span<const Surface> surfaces = {};      // members of the struct; the same in all stages
+  const char* const* surface_names = nullptr;  // of the surfaces, if they have names
 };
 
 // Equation of small motions of a wall along one direction, m s" + γ s' + Σ_c k_c x_c = F, x = s + d, with the
@@ -143,7 +189,9 @@ inline BoundaryStep step_of(const scree_boundary_step& s) {
           {s.state, s.state_width},
           *s.energy,
           s.scene,
-          s.displaced_loads};
+          s.displaced_loads,
+          span_of<Frame>(s.frames, s.surface_count),
+          span_of<const FrameLoad>(s.frame_loads, s.surface_count)};
 }
 
 inline void assign(scree_boundary_instance& instance, const BoundaryLayout& layout) {
@@ -157,6 +205,9 @@ inline void assign(scree_boundary_instance& instance, const BoundaryLayout& layo
   instance.damping_rate = layout.damping_rate;
   instance.displacement_speed = layout.displacement_speed;
   instance.still = layout.still;
+  instance.surface_count = std::uint32_t(layout.surfaces.size());
+  instance.surfaces = layout.surfaces.data();
+  instance.surface_names = layout.surface_names;
   for (int k = 0; k < 3; ++k) {
     if (!layout.periodic[k]) continue;
     instance.periodic[k] = 1;

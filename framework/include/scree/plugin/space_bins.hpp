@@ -89,7 +89,7 @@ struct SpaceBins {
           extent(k) > view.period[k] * (1 + 1e-12))
         return std::string("the region is longer than the period along ") + name + "; give a smaller one";
     }
-    const AveragingFrame now = frame(view);
+    const AveragingFrame now = frame_about({}, view);  // volumes are the same anywhere
     for (int bin = 0; bin < bins; ++bin)
       if (const double volume = now.volume(bin); !(volume > 0 && std::isfinite(volume)))
         return std::string("the volume of the region or of a bin is ") + (volume == 0 ? "0" : "infinite") +
@@ -109,20 +109,7 @@ struct SpaceBins {
     return true;
   }
 
-  AveragingFrame frame(const scree_view& view) const {
-    AveragingFrame f;
-    f.dimension = int(view.dimension);
-    f.region = AveragingFrame::Region(region);
-    f.along = along;
-    f.axis = axis;
-    f.bins = bins;
-    const Vec3 from = place_of_followed(view);
-    for (int k = 0; k < 3; ++k) set_axis(view, from, k, f);
-    if (centre) f.centre = from + Vec3{{(*centre)[0], (*centre)[1], (*centre)[2]}};
-    f.radius = radius;
-    f.length = length;
-    return f.with_edges();
-  }
+  AveragingFrame frame(const scree_view& view) const { return frame_about(place_of_followed(view), view); }
 
   // Name of a column of a bin, counted from 0: without a number if there is one bin.
   std::string numbered(const char* name, std::uint32_t bin) const {
@@ -130,6 +117,20 @@ struct SpaceBins {
   }
 
  private:
+  // from: place of the followed body (m), or 0.
+  AveragingFrame frame_about(const Vec3& from, const scree_view& view) const {
+    AveragingFrame f;
+    f.dimension = int(view.dimension);
+    f.region = AveragingFrame::Region(region);
+    f.along = along;
+    f.axis = axis;
+    f.bins = bins;
+    for (int k = 0; k < 3; ++k) set_axis(view, from, k, f);
+    if (centre) f.centre = from + Vec3{{(*centre)[0], (*centre)[1], (*centre)[2]}};
+    f.radius = radius;
+    f.length = length;
+    return f.with_edges();
+  }
   bool round() const { return region == AveragingFrame::sphere || region == AveragingFrame::cylinder; }
   // Keys of another region would change nothing.
   void check_that_keys_count(const Setup& setup) const {

@@ -2,7 +2,9 @@
 
 #include "contacts/contacts.hpp"
 #include "contacts/forces.hpp"
+#include "contacts/kernel/partner.hpp"
 #include "contacts/kernel/plane_records.hpp"
+#include "contacts/kernel/surface_records.hpp"
 #include "machine/lanes.hpp"
 
 #include <algorithm>
@@ -28,7 +30,8 @@ struct EvaluationInput {
   double step;  // (s) since the last evaluation
   double kick;  // (s) for which the forces act
   bool audit, pair_forces;
-  double max_overlap_ratio;  // largest in earlier evaluations
+  double max_overlap_ratio;                  // largest in earlier evaluations
+  const SurfaceRecords* surfaces = nullptr;  // if there are pairs with surfaces
 };
 
 // Columns of a block of pairs between gather and scatter.
@@ -39,6 +42,7 @@ struct alignas(64) BlockColumns {
   double velocity[3][block_size], mid_velocity[3][block_size];  // a − b (m/s)
   double spin[2][3][block_size], mid_spin[2][3][block_size];    // of a, of b (rad/s)
   double input[SCREE_REDUCED_MASS][block_size];                 // of the law, as in scree_contact_input
+  double lever[3][block_size];                                  // of surfaces, see SurfaceRecords (m)
   double ones[block_size];                                      // onset weights of blocks that need none
   double output[SCREE_CONTACT_OUTPUT_COUNT][block_size];        // stored pair forces bypass this
   double torque[2][3][block_size];                              // on a, on b (N m)

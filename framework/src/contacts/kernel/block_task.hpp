@@ -32,6 +32,10 @@ struct BlockTask {
                                    : block.output[SCREE_FORCE + k];
   }
   bool reads(scree_contact_input column) const { return law.interface.reads & (1u << column); }
+  // Of its first pair with a surface.
+  std::size_t surface_row() const {
+    return tile.input->surfaces->first_row(pairs.group) + pairs.begin - group.begin;
+  }
   bool arms_to_contact_point() const { return law.interface.arms == SCREE_ARM_CONTACT_POINT; }
 };
 
@@ -42,17 +46,19 @@ SCREE_HOT BlockTask block_task(const TileJob& job, const Tiles::PairBlock& pairs
 }
 
 // Calls prefetch(i) before every four pairs.
-template <int D, bool spin, bool planes, class Prefetch>
+template <int D, bool spin, Partner partner, class Prefetch>
 SCREE_HOT void gather(const BlockTask& task, BlockColumns& block, const Prefetch& prefetch) {
+  const std::size_t row = partner == Partner::surface ? task.surface_row() : 0;
   for (std::uint32_t i = 0; i < task.padded(); i += 4) {
     prefetch(i);
-    gather_four<D, spin, planes>(*task.tile.input, task.pairs.begin + i, i, block);
+    gather_four<D, spin, partner>(*task.tile.input, task.pairs.begin + i, row + i, i, block);
   }
-  if constexpr (planes) separate_padding(task.count, task.padded(), block);
+  if constexpr (is_wall(partner)) separate_padding(task.count, task.padded(), block);
 }
 
-template <int D, bool spin, bool planes>
+template <int D, bool spin, Partner partner>
 SCREE_HOT void resolve(const BlockTask& task, BlockColumns& block) {
+  constexpr bool planes = is_wall(partner);
   const std::uint32_t padded = task.padded();
   const bool to_contact_point = task.arms_to_contact_point();
   resolve_overlaps<D, planes>(task.radius_sum, padded, block);
@@ -60,12 +66,12 @@ SCREE_HOT void resolve(const BlockTask& task, BlockColumns& block) {
     resolve_contact_radii(task.constant(SCREE_EFFECTIVE_RADIUS), padded, block);
   const double step = task.tile.input->step, kick = task.tile.input->kick;
   const auto motion = [&]<bool increments>() SCREE_INLINE_LAMBDA {
-    const bool near = resolve_motion<D, spin, planes, increments>(to_contact_point, task.radius_sum, step,
-                                                                  kick, padded, block) > 0;
+    const bool near = resolve_motion<D, spin, partner, increments>(to_contact_point, task.radius_sum, step,
+                                                                   kick, padded, block) > 0;
     block.batch.input[SCREE_ONSET_WEIGHT] = near ? block.input[SCREE_ONSET_WEIGHT] : block.ones;
     if (near)
-      resolve_onsets<D, spin, planes, increments>(to_contact_point, task.radius_sum, step, kick,
-                                                  task.law.touching, task.law.parting, padded, block);
+      resolve_onsets<D, spin, partner, increments>(to_contact_point, task.radius_sum, step, kick,
+                                                   task.law.touching, task.law.parting, padded, block);
   };
   if (task.reads(SCREE_TANGENTIAL_INCREMENT))
     motion.template operator()<true>();

@@ -13,17 +13,17 @@ namespace {
 // In each of them the bodies of the next tile are prefetched once.
 constexpr std::size_t phases = 4;
 
-template <int D, bool spin, bool planes>
+template <int D, bool spin, Partner partner>
 SCREE_HOT void scatter(const BlockTask& task, BlockColumns& block) {
   const double* force[3] = {};
   for (std::uint32_t k = 0; k < std::uint32_t(D); ++k) force[k] = task.force(k, block);
   if constexpr (spin) {
     if (task.law.interface.writes_couple)
-      resolve_torques<D, planes, true>(task.arms_to_contact_point(), task.radius_sum, force, task.padded(),
-                                       block);
-    else
-      resolve_torques<D, planes, false>(task.arms_to_contact_point(), task.radius_sum, force, task.padded(),
+      resolve_torques<D, partner, true>(task.arms_to_contact_point(), task.radius_sum, force, task.padded(),
                                         block);
+    else
+      resolve_torques<D, partner, false>(task.arms_to_contact_point(), task.radius_sum, force, task.padded(),
+                                         block);
   }
   const std::uint32_t* slot_a = task.tile.tiles->slot_a().data() + task.pairs.begin;
   const std::uint32_t* slot_b = task.tile.tiles->slot_b().data() + task.pairs.begin;
@@ -31,31 +31,32 @@ SCREE_HOT void scatter(const BlockTask& task, BlockColumns& block) {
     scatter_four<D, spin>(force, slot_a + i, slot_b + i, i, block, task.tile.slots);
 }
 
-template <int D, bool spin, bool planes>
+template <int D, bool spin, Partner partner>
 SCREE_HOT void gather_and_prefetch(const BlockTask& task, BlockColumns& block) {
-  if (!task.tile.tiles->exceed_caches()) return gather<D, spin, planes>(task, block, [](std::uint32_t) {});
+  if (!task.tile.tiles->exceed_caches()) return gather<D, spin, partner>(task, block, [](std::uint32_t) {});
   const PairsAhead pairs(task);
-  gather<D, spin, planes>(task, block, [&](std::uint32_t i) SCREE_INLINE_LAMBDA { pairs.prefetch(i); });
+  gather<D, spin, partner>(task, block, [&](std::uint32_t i) SCREE_INLINE_LAMBDA { pairs.prefetch(i); });
 }
 
-template <int D, bool spin, bool planes>
+template <int D, bool spin, Partner partner>
 SCREE_HOT void evaluate_block(const BlockTask& task, BlockColumns& block, BodiesAhead<D, spin>& bodies,
                               ContactSums& sums) {
+  constexpr bool planes = is_wall(partner);
   assert_layout(task);
   Laps laps(task.tile.profile);
   bodies.prefetch();
-  gather_and_prefetch<D, spin, planes>(task, block);
+  gather_and_prefetch<D, spin, partner>(task, block);
   if (reads_placement(task.law.interface))
     gather_placement<planes>(*task.tile.input, task.law.interface, task.pairs.begin, task.padded(), block);
   laps.lap(Profile::gather);
   bodies.prefetch();
-  resolve<D, spin, planes>(task, block);
+  resolve<D, spin, partner>(task, block);
   laps.lap(Profile::geometry);
   bodies.prefetch();
   call_law<D>(task, block);
   laps.lap(Profile::law);
   bodies.prefetch();
-  scatter<D, spin, planes>(task, block);
+  scatter<D, spin, partner>(task, block);
   sums.max_overlap_ratio =
       largest_overlap_ratio<planes>(task.radius_sum, task.padded(), block, sums.max_overlap_ratio);
   if (task.tile.input->audit) sums += sum_block(block, task.padded(), task.tile.input->step < 0);
@@ -78,8 +79,12 @@ SCREE_HOT void evaluate_tile(const TileJob& job) {
   if (goes_on) sums = job.sums[job.tile];
   for (std::size_t k = first; k < last; ++k) {
     const BlockTask task = block_task(job, job.tiles->blocks()[k]);
-    task.group.planes ? evaluate_block<D, spin, true>(task, work, bodies, sums)
-                      : evaluate_block<D, spin, false>(task, work, bodies, sums);
+    if (!task.group.planes)
+      evaluate_block<D, spin, Partner::body>(task, work, bodies, sums);
+    else if (!task.group.surfaces)
+      evaluate_block<D, spin, Partner::plane>(task, work, bodies, sums);
+    else
+      evaluate_block<D, spin, Partner::surface>(task, work, bodies, sums);
   }
   job.sums[job.tile] = sums;
 }

@@ -74,15 +74,36 @@ SCREE_HOT void gather_motion(const double* const (&a)[4], const double* const (&
   }
 }
 
-// Gathers four pairs of bodies, or of a body and a plane. A plane is treated as a body without spin and
-// radius.
-template <int D, bool spin, bool planes>
-SCREE_HOT void gather_four(const EvaluationInput& s, std::size_t pair, std::uint32_t lane,
+// Normals of four walls, and of surfaces the place from the origin of the frame.
+template <int D, Partner partner>
+SCREE_HOT void gather_walls(const EvaluationInput& s, std::size_t pair, std::size_t row, std::uint32_t lane,
+                            BlockColumns& block) {
+  Four v[4];
+  for (std::size_t k = 0; k < 4; ++k)
+    v[k] = load_four(partner == Partner::surface ? s.surfaces->normals() + 4 * (row + k)
+                                                 : s.planes.normals() + 4 * s.contacts.b[pair + k]);
+  transpose(v[0], v[1], v[2], v[3]);
+  store_vector(block.input + SCREE_NORMAL, D, lane, v);
+  if constexpr (partner == Partner::surface) {
+    for (std::size_t k = 0; k < 4; ++k) v[k] = load_four(s.surfaces->levers() + 4 * (row + k));
+    transpose(v[0], v[1], v[2], v[3]);
+    store_vector(block.lever, D, lane, v);
+  }
+}
+
+// Gathers four pairs of bodies, or of a body and a wall. A wall is treated as a body without radius. row: of
+// surface records.
+template <int D, bool spin, Partner partner>
+SCREE_HOT void gather_four(const EvaluationInput& s, std::size_t pair, std::size_t row, std::uint32_t lane,
                            BlockColumns& block) {
+  constexpr bool planes = is_wall(partner);
   const double *a[4], *b[4];
   for (int k = 0; k < 4; ++k) {
     a[k] = record_of<D, spin>(s.records, s.contacts.a[pair + std::size_t(k)]);
-    b[k] = record_of<D, spin>(planes ? s.planes.records() : s.records, s.contacts.b[pair + std::size_t(k)]);
+    if constexpr (partner == Partner::surface)
+      b[k] = s.surfaces->records() + record::width(D, spin) * (row + std::size_t(k));
+    else
+      b[k] = record_of<D, spin>(planes ? s.planes.records() : s.records, s.contacts.b[pair + std::size_t(k)]);
   }
   Four v[4];
   for (int k = 0; k < 4; ++k) v[k] = load_four(a[k] + record::position) - load_four(b[k] + record::position);
@@ -92,12 +113,7 @@ SCREE_HOT void gather_four(const EvaluationInput& s, std::size_t pair, std::uint
   transpose(v[0], v[1], v[2], v[3]);
   store_vector(block.separation, D, lane, v);
   store_four(block.radius_difference + lane, v[3]);
-  if constexpr (planes) {
-    for (int k = 0; k < 4; ++k)
-      v[k] = load_four(s.planes.normals() + 4 * s.contacts.b[pair + std::size_t(k)]);
-    transpose(v[0], v[1], v[2], v[3]);
-    store_vector(block.input + SCREE_NORMAL, D, lane, v);
-  }
+  if constexpr (planes) gather_walls<D, partner>(s, pair, row, lane, block);
   if constexpr (D == 2) {
     gather_flat_motion<spin>(a, b, record::motion, block.velocity, block.spin[0], block.spin[1], lane);
     gather_flat_motion<spin>(a, b, record::mid_motion, block.mid_velocity, block.mid_spin[0],

@@ -53,11 +53,28 @@ SCREE_HOT PairStep<D> motion_of(const double (*velocity)[block_size], const doub
   return motion;
 }
 
+// Motion at the contact point of a pair with a surface, whose velocity is given at the nearest point: the two
+// differ by the part of the overlap that the lever arm of a leaves out, in which a wall that turns has
+// another velocity.
+template <int D, bool spin>
+SCREE_HOT void move_to_contact_point(bool to_contact_point, double radius_sum, std::uint32_t i,
+                                     const BlockColumns& block, PairStep<D>& motion) {
+  if constexpr (spin) {
+    const PairDirection<D> at = direction_of<D>(block, i);
+    const double arm =
+        LeverArms<true>::of(to_contact_point, at.distance, radius_sum, block.radius_difference[i]).a;
+    motion.velocity += rotational_velocity(at.normal, 0.0, at.distance - arm, motion.spin_a, motion.spin_b);
+  }
+}
+
 // Tangential displacement in the step. touched: share of the step during which the pair has touched.
-template <int D, bool spin, bool planes>
+template <int D, bool spin, Partner partner>
 SCREE_HOT void set_increment(bool to_contact_point, double radius_sum, double step, double touched,
                              std::uint32_t i, BlockColumns& block) {
-  const PairStep<D> motion = motion_of<D, spin>(block.mid_velocity, block.mid_spin, i);
+  constexpr bool planes = is_wall(partner);
+  PairStep<D> motion = motion_of<D, spin>(block.mid_velocity, block.mid_spin, i);
+  if constexpr (partner == Partner::surface)
+    move_to_contact_point<D, spin>(to_contact_point, radius_sum, i, block, motion);
   Vec<D> separation = {};
   if constexpr (!planes)
     for (int k = 0; k < D; ++k) separation[k] = block.separation[k][i];
@@ -71,7 +88,7 @@ SCREE_HOT void set_increment(bool to_contact_point, double radius_sum, double st
 // Relative velocity of the contact points, relative spin and, with `increments`, tangential displacements,
 // for pairs that touch during the whole step. Returns the number of touching pairs within two steps of first
 // touch or parting.
-template <int D, bool spin, bool planes, bool increments>
+template <int D, bool spin, Partner partner, bool increments>
 SCREE_HOT Count resolve_motion(bool to_contact_point, const double* radius_sum, double step, double kick,
                                std::uint32_t padded, BlockColumns& block) {
   const double longest = std::max(std::abs(step), std::abs(kick));
@@ -79,16 +96,18 @@ SCREE_HOT Count resolve_motion(bool to_contact_point, const double* radius_sum, 
 #pragma GCC ivdep
   for (std::uint32_t i = 0; i < padded; ++i) {
     const PairDirection<D> at = direction_of<D>(block, i);
-    const PairStep<D> motion = motion_of<D, spin>(block.velocity, block.spin, i);
-    const Vec<D> v = contact_velocity<spin, planes>(at, motion, to_contact_point, radius_sum[i],
-                                                    block.radius_difference[i]);
+    PairStep<D> motion = motion_of<D, spin>(block.velocity, block.spin, i);
+    if constexpr (partner == Partner::surface)
+      move_to_contact_point<D, spin>(to_contact_point, radius_sum[i], i, block, motion);
+    const Vec<D> v = contact_velocity<spin, is_wall(partner)>(at, motion, to_contact_point, radius_sum[i],
+                                                              block.radius_difference[i]);
     if constexpr (spin)
       set_lanes<spin_components<D>>(block.input + SCREE_RELATIVE_SPIN, i, motion.spin_a - motion.spin_b);
     set_lanes<D>(block.input + SCREE_RELATIVE_VELOCITY, i, v);
     const double approach = dot(v, at.normal) * longest, overlap = block.input[SCREE_OVERLAP][i];
     near += overlap > 0 && overlap < 2 * std::abs(approach);
     if constexpr (increments)
-      set_increment<D, spin, planes>(to_contact_point, radius_sum[i], step, 1, i, block);
+      set_increment<D, spin, partner>(to_contact_point, radius_sum[i], step, 1, i, block);
   }
   return near;
 }
@@ -108,7 +127,7 @@ SCREE_HOT double onset_weight(const OnsetWeights& weights, double s) {
 //   onset    weight of forces that begin or end abruptly, at s = δ/w < 2 kicks from first touch or parting
 // A kick, the time for which the forces act, is as long as the step, but for the first of `position_verlet`.
 // Most blocks have no such pair, and skip this.
-template <int D, bool spin, bool planes, bool increments>
+template <int D, bool spin, Partner partner, bool increments>
 SCREE_HOT void resolve_onsets(bool to_contact_point, const double* radius_sum, double step, double kick,
                               const OnsetWeights& touching, const OnsetWeights& parting, std::uint32_t padded,
                               BlockColumns& block) {
@@ -122,7 +141,7 @@ SCREE_HOT void resolve_onsets(bool to_contact_point, const double* radius_sum, d
     block.input[SCREE_ONSET_WEIGHT][i] = overlap < 2 * travel ? (approach > 0 ? closing : opening) : 1;
     const double touched = touched_share(overlap, approach);
     if constexpr (increments)
-      set_increment<D, spin, planes>(to_contact_point, radius_sum[i], step, touched, i, block);
+      set_increment<D, spin, partner>(to_contact_point, radius_sum[i], step, touched, i, block);
   }
 }
 
@@ -140,8 +159,9 @@ SCREE_HOT void resolve_contact_radii(const double* effective_radius, std::uint32
   }
 }
 
-// −arm n × f ± couple: torques on a and b.
-template <int D, bool planes, bool has_couple>
+// −arm n × f ± couple: torques on a and b; on a surface about the origin of its frame, such that the angular
+// momentum of both is conserved.
+template <int D, Partner partner, bool has_couple>
 SCREE_HOT void resolve_torques(bool to_contact_point, const double* radius_sum,
                                const double* const (&force)[3], std::uint32_t padded, BlockColumns& block) {
   constexpr int S = spin_components<D>;
@@ -150,12 +170,16 @@ SCREE_HOT void resolve_torques(bool to_contact_point, const double* radius_sum,
     Vec<D> f;
     for (int k = 0; k < D; ++k) f[k] = force[k][i];
     const Vec<S> lever = cross(lanes_of<D>(block.input + SCREE_NORMAL, i), f);
-    const auto arms =
-        LeverArms<planes>::of(to_contact_point, block.distance[i], radius_sum[i], block.radius_difference[i]);
+    const auto arms = LeverArms<is_wall(partner)>::of(to_contact_point, block.distance[i], radius_sum[i],
+                                                      block.radius_difference[i]);
+    Vec<S> of_force_on_a = {};
+    if constexpr (partner == Partner::surface)
+      of_force_on_a = cross(lanes_of<D>(block.lever, i) + lanes_of<D>(block.separation, i), f);
     for (int k = 0; k < S; ++k) {
       const double couple = has_couple ? block.output[SCREE_COUPLE + k][i] : 0;
       block.torque[0][k][i] = fused(-arms.a, lever[k], couple);
-      block.torque[1][k][i] = fused(-arms.b, lever[k], -couple);
+      block.torque[1][k][i] = partner == Partner::surface ? -of_force_on_a[k] - block.torque[0][k][i]
+                                                          : fused(-arms.b, lever[k], -couple);
     }
   }
 }

@@ -14,6 +14,11 @@ inline bool reads_placement(const scree_contact_instance& law) {
   return reads_orientations(law) || (law.reads & (1u << SCREE_SEPARATION | 1u << SCREE_RADII));
 }
 
+// Whether a law follows bodies along their paths.
+inline bool reads_paths(const scree_contact_instance& law) {
+  return reads_orientations(law) || (law.reads & (1u << SCREE_SEPARATION));
+}
+
 // After `gather`: gathers what the law reads of orientations, separations and radii of the pairs [begin,
 // begin + count), and passes it to the law. Not inlined into the loops over blocks, which rarely need it.
 template <bool planes>

@@ -35,10 +35,10 @@ SCREE_HOT void evaluate_plane_load(const TileJob& job, scree_load& load) {
       const Tiles::PairBlock pairs = {g, begin, std::uint32_t(padded_to_lanes(count)), count};
       const BlockTask task = block_task(job, pairs);
       assert_layout(task);
-      gather<D, spin, true>(task, work, [](std::uint32_t) {});
+      gather<D, spin, Partner::plane>(task, work, [](std::uint32_t) {});
       if (reads_placement(task.law.interface))
         gather_placement<true>(*job.input, task.law.interface, pairs.begin, task.padded(), work);
-      resolve<D, spin, true>(task, work);
+      resolve<D, spin, Partner::plane>(task, work);
       call_law<D>(task, work);
       for (int k = 0; k < D; ++k) on_bodies.add(k, work.output[SCREE_FORCE + k], task.padded());
     }

@@ -54,9 +54,10 @@ void add_table_row(const Simulation& s, const ContactList& list, std::size_t c, 
   const bool wall = b >= p.size();
   frame.contact_a.push_back(p.id[a]);
   frame.contact_b.push_back(wall ? -1 : p.id[b]);
-  // Among the walls of the frame, which has no absent ones.
+  // Among the walls of the frame, which has no absent ones and no surfaces.
   const auto first = s.absent_planes().begin();
-  frame.contact_wall.push_back(wall ? std::int32_t(std::count(first, first + (b - p.size()), 0)) : -1);
+  const bool plane = wall && b - p.size() < s.planes().size();
+  frame.contact_wall.push_back(plane ? std::int32_t(std::count(first, first + (b - p.size()), 0)) : -1);
   const double arm = p.radius()[a] - 0.5 * list.overlap[c];
   for (std::size_t k = 0; k < 3; ++k) {
     const double n = list.normal[3 * c + k];

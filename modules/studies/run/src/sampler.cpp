@@ -161,7 +161,8 @@ std::vector<std::string> Sampler::unfilled() const {
 }
 
 const std::vector<double>& Sampler::row(Active& p, const Observed& now) {
-  if (p.row.empty()) p.row = p.probe.sample(now.view, inputs_of(p, now), now.simulation.totals_of(p.probe));
+  if (p.row.empty())
+    p.row = p.probe.sample(now.view, inputs_of(p, now), [&] { return now.simulation.totals_of(p.probe); });
   return p.row;
 }
 

@@ -19,7 +19,7 @@ namespace {
 std::string partner_name(const Simulation& s, std::uint32_t b) {
   const std::size_t bodies = s.scene().bodies.size();
   return b < bodies ? fmt::format("particle {}", s.particles().id[b])
-                    : fmt::format("wall {}", s.plane_names()[b - bodies]);
+                    : fmt::format("wall {}", s.wall_name(b - bodies));
 }
 
 void add_overlap_warning(const Simulation& s, std::vector<std::string>& warnings) {

@@ -6,6 +6,7 @@
 #include <stdint.h>
 
 #include <scree/plugin/abi/parameters.h>
+#include <scree/plugin/abi/surface.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -67,6 +68,9 @@ typedef struct scree_boundary_step {
   const scree_boundary_scene* scene;
   const scree_displaced_loads*
       displaced_loads; /* (optional) only in `begin_step`, if the instance has a displacement_speed */
+  uint32_t surface_count;
+  scree_frame* frames;                 /* surface_count; at first at the origin, not turned and at rest */
+  const scree_frame_load* frame_loads; /* surface_count; as loads */
 } scree_boundary_step;
 
 typedef struct scree_boundary_instance {
@@ -85,6 +89,9 @@ typedef struct scree_boundary_instance {
   const uint32_t*
       plane_absent; /* (optional) plane_count, in the plug-in's storage; nonzero: the plane keeps its place
                                    and exerts no force, as if it were not there */
+  uint32_t surface_count;           /* the same in all stages, and so are the shapes */
+  const scree_surface* surfaces;    /* (optional) surface_count, in the plug-in's storage */
+  const char* const* surface_names; /* (optional) surface_count names, none of which is NULL */
 } scree_boundary_instance;
 
 /* Equation of small motions of a plane about its present state, along one direction:

@@ -39,8 +39,8 @@ enum {
 };
 
 /* The scene at the end of a step, or at the start; with position_verlet, forces, loads and contacts are values of
- * half a step earlier. All pointers are valid during the call only. Body i is the same body, and plane w the same
- * plane, in all views of a run. Arrays may be NULL if their count is 0. */
+ * half a step earlier. All pointers are valid during the call only. Body i is the same body, except in `accumulate`, and
+ * plane w the same plane, in all views of a run. Arrays may be NULL if their count is 0. */
 typedef struct scree_view {
   uint32_t struct_size;
   uint32_t dimension;
@@ -67,7 +67,7 @@ typedef struct scree_view {
   double length_at_start[3];      /* (m) the same at t = 0; the strain is length / length_at_start − 1 */
   uint64_t contact_count;         /* touching pairs; 0 unless SCREE_NEEDS_CONTACTS */
   const uint32_t* contact_a;      /* index of a body */
-  const uint32_t* contact_b;      /* index of a body or, from body_count on, of a plane */
+  const uint32_t* contact_b;      /* index of a body or, from body_count on, of a plane, then of a surface */
   const double* contact_normal;   /* (contact_count, 3) unit, from b to a */
   const double* contact_overlap;  /* contact_count (m) */
   const double* contact_force;    /* (contact_count, 3) on a (N) */
@@ -88,12 +88,18 @@ typedef struct scree_view {
   const uint8_t*
       left_out; /* (optional) body_count: 1 for bodies that the probe is not to count; NULL if it counts all */
   /* In `accumulate` alone: the bodies [part_begin, part_end) count, and all contacts of the view, of which each is in one
-   * part. Bodies are in the order of memory, and only those of the part and of its contacts are as they are now. */
+   * part. Body i is the body at place i in memory. Bodies of the part are as they are now; of other bodies of its contacts
+   * position, velocity, spin, radius, mass, inertia, id, material, fixed, held and left_out are, and nothing else. */
   uint64_t part_begin, part_end;
-  const uint32_t* contacts_of_body; /* body_count: number of contacts of each body of the part, or NULL */
+  const uint32_t*
+      contacts_of_body; /* body_count: number of contacts, walls included, of each body of the part; or NULL */
   const double*
       totals; /* total_count of the probe that is called: in `sample` of all parts, in `accumulate` of the
                            passes before; NULL if it has none */
+  uint32_t surface_count;    /* of boundaries; a contact_b from body_count + plane_count on is one of them */
+  const scree_frame* frames; /* surface_count */
+  const scree_frame_load* frame_loads; /* surface_count */
+  const char* const* surface_names;    /* surface_count: "<boundary>.<surface>" */
 } scree_view;
 
 typedef struct scree_probe_instance {
@@ -149,7 +155,8 @@ typedef struct scree_probe {
   /* (optional) Adds what the bodies and contacts of a part of the scene give to the totals of the part, which are 0 before,
    * or −infinity where they are largest values; it never sets NaN there. Called in each pass for each part, by several
    * threads and processes at once; sums of all parts are exact and rounded once. `start` of such a probe sees of bodies
-   * radius, mass, inertia, id, material, fixed and held alone, and no contacts; `sample` sees neither bodies nor contacts.
+   * radius, mass, inertia, id, material, fixed and held alone, and no contacts; `sample` sees no bodies and no contacts, and
+   * body_count is 0. It may have a state, which only `start` sets.
    * It observes nothing and reads no columns of other probes. As `meaning`, a library may lack it. */
   void (*accumulate)(const void* storage, const scree_view* part, uint32_t pass, double* totals);
 } scree_probe;

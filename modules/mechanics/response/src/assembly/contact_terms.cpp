@@ -3,6 +3,8 @@
 #include "assembly/pair_at_rest.hpp"
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -10,6 +12,7 @@
 #include <scree/contact_jacobian.hpp>
 #include <scree/error.hpp>
 #include <scree/plugin/great_circle.hpp>
+#include <scree/scene_checks.hpp>
 
 namespace scree::response {
 
@@ -46,6 +49,10 @@ ConfiguredLaw differentiable(const Scene::Law& law, int dimension) {
 }
 
 void check_laws(const Scene& scene, LawsNeeded needed) {
+  if (const std::vector<std::string> surfaces = surface_names(scene); !surfaces.empty())
+    throw Error(fmt::format(
+        "surface '{}' has no derivatives, from which a linear response follows; use planes, or measure with a pulse or a sweep",
+        surfaces[0]));
   std::size_t without = 0;
   for (const Scene::Law& law : scene.laws) try {
       differentiable(law, scene.dimension);

@@ -45,7 +45,7 @@ struct Frame {
   std::vector<std::uint8_t> contact_sliding;     // 0 or 1
   std::vector<std::int64_t> contact_a;           // id of the body on which the force acts
   std::vector<std::int64_t> contact_b;           // id of the other body; -1 at a wall
-  std::vector<std::int32_t> contact_wall;        // index into walls; -1 between bodies
+  std::vector<std::int32_t> contact_wall;        // index into walls; -1 between bodies and at surfaces
   std::vector<double> contact_normal;            // (3C) unit vector from b to a
   std::vector<double> contact_force;             // (N) (3C) on a
   std::vector<double> contact_point;             // (m) (3C) in the middle of the overlap

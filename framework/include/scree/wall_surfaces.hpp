@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <scree/plugin/abi.h>
+
+namespace scree {
+
+// The surfaces of all boundaries, where their frames are and how they move.
+struct WallSurfaces {
+  std::vector<scree_surface> shapes;
+  std::vector<scree_frame> frames;
+  std::vector<scree_frame_load> loads;
+  std::vector<std::uint32_t> materials;
+  std::vector<std::string> names;  // "<boundary>.<surface>"
+
+  std::size_t size() const { return shapes.size(); }
+};
+
+// "" or what a frame has that no surface can have: "velocity is (nan, 0, 0)".
+std::string problem_of(const scree_frame& frame);
+
+}  // namespace scree

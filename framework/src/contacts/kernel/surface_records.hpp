@@ -1,0 +1,42 @@
+#pragma once
+
+#include "machine/lanes.hpp"
+
+#include <cstddef>
+#include <vector>
+
+#include <scree/column.hpp>
+#include <scree/particles.hpp>
+#include <scree/plugin/vec.hpp>
+
+namespace scree::kernel {
+
+// The nearest point of its surface for each pair of a body and a surface, in the record format of bodies: a
+// body without radius at that point, with the velocity of the wall there.
+class SurfaceRecords {
+ public:
+  // first_row: of each group of pairs; rows: of all. width: of records.
+  void plan(std::vector<std::size_t> first_row, std::size_t rows, std::size_t width) {
+    first_row_ = std::move(first_row);
+    width_ = width;
+    records_.resize(width * rows, 0.0);
+    normals_.resize(4 * rows, 0.0);
+    levers_.resize(4 * rows, 0.0);
+  }
+  std::size_t first_row(std::size_t group) const { return first_row_[group]; }
+
+  double* record(std::size_t row) { return records_.data() + width_ * row; }
+  // Unit, from the surface to the body; and of the point, from the origin of its frame (m).
+  double* normal(std::size_t row) { return normals_.data() + 4 * row; }
+  double* lever(std::size_t row) { return levers_.data() + 4 * row; }
+  const double* records() const { return records_.data(); }
+  const double* normals() const { return normals_.data(); }  // (rows, 4)
+  const double* levers() const { return levers_.data(); }    // (rows, 4)
+
+ private:
+  std::size_t width_ = 0;
+  std::vector<std::size_t> first_row_;
+  Column<double> records_, normals_, levers_;
+};
+
+}  // namespace scree::kernel

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "surfaces/nearest_point.hpp"
+
+#include <scree/plugin/rotation.hpp>
+
+namespace scree {
+
+// A surface where it is at the end of a step, with its motion in the step.
+class PlacedSurface {
+ public:
+  // step: (s) 0 if its motion is that of the instant.
+  PlacedSurface(const scree_surface& surface, const scree_frame& frame, int dimension, double step = 0);
+
+  // The nearest point to x (m), in the scene.
+  NearestPoint nearest(const Vec3& x) const;
+  // Velocity (m/s) of the material that is at a point, given from the origin of the frame (m): at the end of
+  // the step, and its displacement in the step / step.
+  Vec3 velocity(const Vec3& from_origin) const { return velocity_ + cross(spin_, from_origin); }
+  Vec3 mid_velocity(const Vec3& from_origin) const {
+    return mid_velocity_ + cross(chord_, half_back_(from_origin));
+  }
+  const Vec3& origin() const { return origin_; }
+  const Vec3& spin() const { return spin_; }
+  const Vec3& mid_spin() const { return mid_spin_; }
+
+ private:
+  const scree_surface& surface_;
+  int dimension_;
+  Vec3 origin_, velocity_, spin_, mid_velocity_, mid_spin_;
+  Rotation to_scene_, half_back_;
+  Vec3 chord_;  // (rad/s) times a place in the middle of a turn: its displacement / step
+};
+
+}  // namespace scree

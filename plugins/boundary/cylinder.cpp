@@ -1,0 +1,42 @@
+// A cylinder, or in 2D a circle.
+
+#include "surface_wall.hpp"
+
+#include <limits>
+
+namespace {
+
+struct Cylinder : SurfaceWall {
+  double radius = 0, length = scree::Surface::infinite;
+
+  static constexpr scree::About about = {
+      "cylinder",
+      "cylinder in 3D, circle in 2D, from inside, from outside or both; it moves and turns as prescribed",
+      "distance ρ from the axis, bodies at ρ < radius (inside) or ρ > radius (outside); open at both ends\n"
+      "Hertz contacts: 1/R* = 1/R ± 1/radius, with an error of second order in R/radius\n"
+      "moves by ∫velocity dt along the direction, turns by ∫spin dt about spin_axis",
+      "Johnson 1985, chapter 4"};
+
+  void declare(scree::Declaration& d) {
+    d.vector("point", point, "m", "on the axis; with length the middle").required().at_start_only();
+    d.vector("axis", axis, "", "along the cylinder; need not be a unit vector; in 2D z").at_start_only();
+    d.number("radius", radius, "m", scree::positive, "of the cylinder").required().at_start_only();
+    d.number("length", length, "m", scree::positive, "along the axis; infinite without it")
+        .optional()
+        .at_start_only();
+    d.choice("side", side, "both|outside|inside", "where bodies are").at_start_only();
+    declare_motion(d);
+  }
+  void prepare(const scree::Setup& setup) {
+    if (const char* const problem = check(setup)) return setup.refuse(problem);
+    const bool flat = setup.dimension() == 2, cut = length < scree::Surface::infinite;
+    if (flat && cut) return setup.refuse("length in a 2D scene, whose cylinder is a circle; leave it out");
+    const double half = cut ? 0.5 * length : scree::Surface::infinite;
+    surface = flat ? scree::Surface::ball(radius, -half, half, scree_side(side))
+                   : scree::Surface::revolved(radius, -half, radius, half, scree_side(side));
+  }
+};
+
+}  // namespace
+
+SCREE_BOUNDARY_PLUGIN(Cylinder)
