@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -163,13 +162,18 @@ TEST_CASE("a probe with totals that fails on any rank is reported as in one proc
     s.run(2, [] { return true; });  // goes on
     return failure;
   };
-  for (const auto& [id, throws, text] :
-       {std::tuple{2200.0, true, "its function accumulate threw an exception (boo)"},
-        {2200.0, false, "a largest value of its totals is not a number"},
-        {-1.0, true, "nothing"}}) {
-    const std::string alone = failure_of(id, throws, nullptr);
-    CHECK_THAT(alone, Catch::Contains(text));
+  struct Failing {
+    double id;
+    bool throws;
+    const char* text;
+  };
+  for (const Failing& failing : {Failing{2200.0, true, "its function accumulate threw an exception (boo)"},
+                                 {2200.0, false, "a largest value of its totals is not a number"},
+                                 {-1.0, true, "nothing"}}) {
+    const std::string alone = failure_of(failing.id, failing.throws, nullptr);
+    CHECK_THAT(alone, Catch::Contains(failing.text));
     for (const unsigned count : {2u, 3u})
-      over_ranks(count, false, [&](Ranks& ranks) { CHECK(failure_of(id, throws, &ranks) == alone); });
+      over_ranks(count, false,
+                 [&](Ranks& ranks) { CHECK(failure_of(failing.id, failing.throws, &ranks) == alone); });
   }
 }

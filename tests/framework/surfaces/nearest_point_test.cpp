@@ -16,13 +16,13 @@ using scree::test::infinite;
 
 namespace {
 
-struct Case {
+struct ShapeCase {
   const char* name;
   int dimension;
   scree_surface surface;
 };
 
-const std::vector<Case> cases = {
+const std::vector<ShapeCase> shape_cases = {
     {"rectangle", 3, {SCREE_FLAT, SCREE_BOTH_SIDES, {0.7, 0.4}}},
     {"strip", 3, {SCREE_FLAT, SCREE_BOTH_SIDES, {0.7, 50}}},
     {"tube", 3, {SCREE_REVOLVED, SCREE_BOTH_SIDES, {0.8, -0.6, 0.8, 0.7}}},
@@ -38,7 +38,7 @@ const std::vector<Case> cases = {
 };
 
 // A point of a surface by two parameters in [0, 1].
-Vec3 point_of(const Case& c, double u, double v) {
+Vec3 point_of(const ShapeCase& c, double u, double v) {
   const double* const size = c.surface.size;
   const double angle = 2 * std::numbers::pi * u;
   const auto between = [](double a, double b, double t) { return a + t * (b - a); };
@@ -61,7 +61,7 @@ Vec3 point_of(const Case& c, double u, double v) {
 }
 
 // The least distance to points of a surface: a coarse grid, then ever finer ones about the best of it.
-double least_distance(const Case& c, const Vec3& x) {
+double least_distance(const ShapeCase& c, const Vec3& x) {
   double best = infinite, at_u = 0.5, at_v = 0.5, width = 0.5;
   constexpr int points = 40;
   for (int round = 0; round < 14; ++round, width *= 0.15) {
@@ -79,7 +79,7 @@ double least_distance(const Case& c, const Vec3& x) {
   return best;
 }
 
-NearestPoint nearest(const Case& c, const Vec3& x) { return nearest_point(c.surface, c.dimension, x); }
+NearestPoint nearest(const ShapeCase& c, const Vec3& x) { return nearest_point(c.surface, c.dimension, x); }
 
 }  // namespace
 
@@ -88,7 +88,7 @@ NearestPoint nearest(const Case& c, const Vec3& x) { return nearest_point(c.surf
 TEST_CASE("nearest points are as near as the nearest of many points of the surface", "[surfaces]") {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> place(-1.3, 1.3);
-  for (const Case& c : cases) {
+  for (const ShapeCase& c : shape_cases) {
     REQUIRE(problem_of(c.surface, c.dimension) == std::string());
     for (int n = 0; n < 60; ++n) {
       const Vec3 x = {{place(random), place(random), c.dimension == 2 ? 0 : place(random)}};
@@ -105,7 +105,7 @@ TEST_CASE("nearest points are as near as the nearest of many points of the surfa
 
 TEST_CASE("a surface with one side has a distance below 0 behind it, and edges have both sides",
           "[surfaces]") {
-  for (Case c : cases) {
+  for (ShapeCase c : shape_cases) {
     INFO(c.name);
     std::mt19937_64 random(6);
     std::uniform_real_distribution<double> place(-1.3, 1.3);
@@ -133,7 +133,7 @@ TEST_CASE("a surface with one side has a distance below 0 behind it, and edges h
 // The surface bends away from its tangent plane by ½ κ s² beside a convex place.
 TEST_CASE("curvature is how a surface bends away from its tangent plane", "[surfaces]") {
   constexpr double aside = 1e-4;
-  const auto bend_of = [&](const Case& c, const Vec3& x) {
+  const auto bend_of = [&](const ShapeCase& c, const Vec3& x) {
     const NearestPoint at = nearest(c, x);
     // Across the axis, where cylinders and cones bend.
     Vec3 across =
@@ -143,7 +143,7 @@ TEST_CASE("curvature is how a surface bends away from its tangent plane", "[surf
     const NearestPoint there = nearest(c, beside + 0.01 * at.normal);
     return 2 * dot(at.normal, at.point - there.point) / (aside * aside);
   };
-  for (const Case& c : cases) {
+  for (const ShapeCase& c : shape_cases) {
     if (c.surface.shape == SCREE_FLAT || c.name == std::string("ring")) continue;
     const Vec3 out = {{0.9, c.dimension == 2 ? -0.3 : 0.4, c.dimension == 2 ? 0.0 : 0.05}};
     for (const double part : {1.0, 0.4}) {
