@@ -23,8 +23,7 @@ struct Cone : SurfaceWall {
     d.number("radius", radius, "m", scree::non_negative, "at point").required().at_start_only();
     d.number("end_radius", end_radius, "m", scree::non_negative, "at the other end").at_start_only();
     d.number("length", length, "m", scree::positive, "along the axis").required().at_start_only();
-    d.choice("side", side, "both|outside|inside", "where bodies are").at_start_only();
-    declare_motion(d);
+    declare_side_and_motion(d);
   }
   void prepare(const scree::Setup& setup) {
     if (setup.dimension() == 2)

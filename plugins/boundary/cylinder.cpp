@@ -24,8 +24,7 @@ struct Cylinder : SurfaceWall {
     d.number("length", length, "m", scree::positive, "along the axis; infinite without it")
         .optional()
         .at_start_only();
-    d.choice("side", side, "both|outside|inside", "where bodies are").at_start_only();
-    declare_motion(d);
+    declare_side_and_motion(d);
   }
   void prepare(const scree::Setup& setup) {
     if (const char* const problem = check(setup)) return setup.refuse(problem);

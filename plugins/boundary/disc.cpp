@@ -18,8 +18,7 @@ struct Disc : SurfaceWall {
     d.vector("normal", axis, "", "across the disc; need not be a unit vector").required().at_start_only();
     d.number("radius", radius, "m", scree::positive, "of the disc").required().at_start_only();
     d.number("hole", hole, "m", scree::non_negative, "radius of the hole").at_start_only();
-    d.choice("side", side, "both|outside|inside", "where bodies are").at_start_only();
-    declare_motion(d);
+    declare_side_and_motion(d);
   }
   void prepare(const scree::Setup& setup) {
     if (setup.dimension() == 2)

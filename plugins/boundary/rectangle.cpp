@@ -28,8 +28,7 @@ struct Rectangle : SurfaceWall {
     d.number("width", width, "m", scree::positive, "across the length, in 3D; infinite without it")
         .optional()
         .at_start_only();
-    d.choice("side", side, "both|outside|inside", "where bodies are").at_start_only();
-    declare_motion(d);
+    declare_side_and_motion(d);
   }
   void prepare(const scree::Setup& setup) {
     const bool flat = setup.dimension() == 2;

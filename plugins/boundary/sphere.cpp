@@ -22,8 +22,7 @@ struct Sphere : SurfaceWall {
         .optional()
         .at_start_only();
     d.number("high", high, "m", scree::any_number, "height of the upper cut").optional().at_start_only();
-    d.choice("side", side, "both|outside|inside", "where bodies are").at_start_only();
-    declare_motion(d);
+    declare_side_and_motion(d);
   }
   void prepare(const scree::Setup& setup) {
     const bool flat = setup.dimension() == 2;

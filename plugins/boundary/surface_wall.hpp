@@ -11,12 +11,15 @@ struct SurfaceWall {
   scree::PrescribedMotion motion;
   scree::Surface surface = {};
 
-  void declare_motion(scree::Declaration& d) { motion.declare(d); }
+  void declare_side_and_motion(scree::Declaration& d) {
+    d.choice("side", side, "both|outside|inside", "where bodies are").at_start_only();
+    motion.declare(d);
+  }
   // Makes the axis a unit vector, and checks the motion. Returns the problem and a remedy, or null.
   const char* check(const scree::Setup& setup) {
     if (setup.dimension() == 2) axis = {0, 0, 1};
     if (!scree::make_unit(axis)) return "its axis or normal has length 0; give a vector such as [0, 0, 1]";
-    return motion.check(setup.dimension() == 2 ? std::array<double, 3>{1, 0, 0} : axis, setup.dimension());
+    return motion.check(axis, setup.dimension());
   }
 
   void describe(scree::BoundaryLayout& layout) const {

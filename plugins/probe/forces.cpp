@@ -80,8 +80,8 @@ struct ForcesProbe {
   }
 
  private:
-  // Totals behind those of the region: of the means; of the normal and of the tangential forces over their
-  // means the sums of powers 2, 3 and 4 and the numbers in classes; the largest mobilised friction.
+  // Totals, after the position of a followed body: the sums of `Sum`; for normal, then for tangential forces
+  // over their mean, sums of powers 2, 3 and 4, then numbers in classes; the largest mobilised friction.
   enum Sum : std::uint32_t { contacts, normal, tangential, repulsive, mobilised, sum_count };
   static constexpr std::uint32_t moments = 3;
   std::uint32_t per_component() const { return moments + std::uint32_t(classes); }

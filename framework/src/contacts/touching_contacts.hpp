@@ -25,7 +25,7 @@ struct PairsNow {
 };
 // In scene order, with bodies by number.
 ContactList touching_contacts(const PairsNow& now, ListedPairs listed = ListedPairs::touching);
-// Of the pairs of a tile those that touch, in the order of memory, with bodies by place.
+// The touching pairs of a tile in the order of memory, with bodies by place.
 ContactList touching_contacts_of(const PairsNow& now, std::size_t tile);
 
 // Number of pairs that touch at the present positions.

@@ -9,7 +9,7 @@ namespace scree {
 // A surface where it is at the end of a step, with its motion in the step.
 class PlacedSurface {
  public:
-  // step: (s) 0 if its motion is that of the instant.
+  // step: (s) 0: mid_velocity and mid_spin of the frame are velocities at one time.
   PlacedSurface(const scree_surface& surface, const scree_frame& frame, int dimension, double step = 0);
 
   // The nearest point to x (m), in the scene.

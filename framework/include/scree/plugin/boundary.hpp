@@ -72,12 +72,6 @@ struct Frame {
   Vec3 spin;             // (rad/s) at the end of the step
   Vec3 mid_velocity;     // (m/s) displacement in the step / step
   Vec3 mid_spin;         // (rad/s) rotation vector of the turn in the step / step
-
-  // Moves by the mean velocity and turns by the mean spin for a time (s).
-  void advance(double time) {
-    position += time * mid_velocity;
-    orientation = Rotation::by(time * mid_spin) * orientation;
-  }
 };
 
 // What all contacts exert on a surface.

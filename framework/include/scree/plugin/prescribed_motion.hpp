@@ -39,6 +39,8 @@ class PrescribedMotion {
   }
   // axis: of the shape. Returns the problem and a remedy, or null.
   const char* check(const std::array<double, 3>& axis, int dimension) {
+    if (dimension == 2 && velocity_.given() && std::isnan(direction_[0]) && axis[2] != 0)
+      return "velocity without direction in a 2D scene; give a direction such as [1, 0, 0]";
     if (std::isnan(direction_[0])) direction_ = axis;
     if (!make_unit(direction_)) return "direction has length 0; give a vector such as [0, 0, 1]";
     if (dimension == 2) spin_axis_ = {0, 0, 1};

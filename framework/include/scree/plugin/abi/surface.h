@@ -14,8 +14,8 @@ enum scree_shape {
   SCREE_BALL = 2      /* a sphere about the origin; in 2D a circle */
 };
 
-/* From which side bodies touch a surface. They keep to it when they are pressed in by more than their radius; bodies at
- * both sides are pushed back to where their centre is. At an edge a body is pushed away from the nearest point of it. */
+/* From which side bodies touch a surface. With one side they are pushed back to it even if their centre has passed the
+ * surface; with both, to the side on which their centre is. At an edge a body is pushed away from the nearest point of it. */
 enum scree_side {
   SCREE_BOTH_SIDES = 0,
   SCREE_OUTSIDE = 1, /* z > 0 of a flat one (in 2D y > 0), away from the axis or the origin of others */
