@@ -16,7 +16,7 @@ using namespace scree::test;
 
 namespace {
 
-constexpr double hollow = 8.2, lid = 20.1;
+constexpr double hollow = 8.12, lid = 20;  // the outermost spheres touch each of them from the start
 constexpr int steps_of_drum = sanitized ? 30 : 150;
 
 // Spheres that fill a turning drum with two end plates, one of which turns alone; of several tiles.
@@ -26,7 +26,7 @@ Scene drum_of_spheres() {
     for (int y = -7; y <= 7; ++y)
       for (int z = 0; z < 20; ++z) {
         const Vec3 place = {{1.0 * x, 1.0 * y, 1.0 * z + 0.5}};
-        if (place[0] * place[0] + place[1] * place[1] > (hollow - 0.52) * (hollow - 0.52)) continue;
+        if (place[0] * place[0] + place[1] * place[1] > 58) continue;
         if (y == 0 && z == 10 && x * x <= 1) continue;  // where the blade is
         const auto number = std::int64_t(bodies.size());
         bodies.push_back(body(number, 0.5 + 0.01 * double(number % 3), 1, place,
