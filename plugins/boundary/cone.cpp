@@ -10,7 +10,7 @@ struct Cone : SurfaceWall {
   static constexpr scree::About about = {
       "cone", "cone, whole or cut, from inside, from outside or both; it moves and turns as prescribed",
       "the line from `radius` at `point` to `end_radius` at point + length axis, turned about the axis; open at both ends\n"
-      "outside: away from the axis;   Hertz contacts: 1/R* = 1/R ± cos α/ρ, with α half of its angle and ρ the\n"
+      "outside: away from the axis;   Hertz contacts: 1/R*² = 1/R (1/R ± cos α/ρ), with α half of its angle and ρ the\n"
       "distance of the contact from the axis, with an error of second order in R/ρ\n"
       "moves by ∫velocity dt along the direction, turns by ∫spin dt about spin_axis",
       "—"};

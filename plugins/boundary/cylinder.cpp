@@ -13,9 +13,9 @@ struct Cylinder : SurfaceWall {
       "cylinder",
       "cylinder in 3D, circle in 2D, from inside, from outside or both; it moves and turns as prescribed",
       "distance ρ from the axis, bodies at ρ < radius (inside) or ρ > radius (outside); open at both ends\n"
-      "Hertz contacts: 1/R* = 1/R ± 1/radius, with an error of second order in R/radius\n"
+      "Hertz contacts: 1/R*² = 1/R (1/R ± 1/radius), the force has an error of 0.02 (R/radius)²\n"
       "moves by ∫velocity dt along the direction, turns by ∫spin dt about spin_axis",
-      "Johnson 1985, chapter 4"};
+      "Johnson 1985, eq. 4.26"};
 
   void declare(scree::Declaration& d) {
     d.vector("point", point, "m", "on the axis; with length the middle").required().at_start_only();

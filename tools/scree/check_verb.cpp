@@ -14,6 +14,7 @@
 #include <scree/run/set_up.hpp>
 #include <scree/run/step_check.hpp>
 #include <scree/run/warnings.hpp>
+#include <scree/surface_checks.hpp>
 
 namespace scree::tool {
 
@@ -45,10 +46,12 @@ void print_summary(const std::string& file, const scenario::Plan& plan, const Si
   fmt::print("{}: valid{}{}\n", files::escaped(file), plan.title.empty() ? "" : ", ",
              files::escaped(plan.title));
   fmt::print("  {}, {}, {}, {}, {}\n", run::describe_bodies(simulation),
-             counted(simulation.planes().size(), "wall"), counted(plan.scene.laws.size(), "contact law"),
+             counted(simulation.planes().size() + simulation.surfaces().size(), "wall"),
+             counted(plan.scene.laws.size(), "contact law"),
              counted(plan.scene.body_forces.size(), "body force"), counted(plan.probes.size(), "probe"));
   fmt::print("  {}\n  {}\n", extent_of_bodies(simulation), step);
   print_sources(plan);
+  for (const std::string& line : mesh_lines(simulation.surfaces())) fmt::print("  {}\n", line);
   if (const run::LargestOverlap largest = run::largest_overlap(simulation); largest.ratio > 0)
     fmt::print("  largest overlap at t = 0: {:.3g} of the smaller radius, {}\n", largest.ratio,
                largest.bodies);

@@ -45,17 +45,20 @@ std::vector<BodyGroup> groups_of(const State& state);
 std::vector<BodyGroup> groups_of(const State& state, std::size_t bodies);  // of a state without bodies
 std::vector<BodySelection> selections_of(const State& state);
 
-// What a run that goes on takes from its state in place of the tables of bodies. Throws Error as
+// What a run that goes on takes from its state in place of files and the tables of bodies. Throws Error as
 // bodies_at_start().
 struct RecordedBodies {
   std::vector<Body> bodies;  // at t = 0
   std::vector<BodyGroup> groups;
   std::vector<BodySelection> selections;
+  std::vector<RecordedPlugin> boundaries;  // which have the meshes
 };
 RecordedBodies recorded_bodies(const State& state);
 
 // "key = value" of every parameter, with defaults; and the parameters that such lines give.
 std::vector<std::string> parameter_lines(const Parameters& parameters);
 Parameters parameters_of(const scree_plugin& plugin, const std::vector<std::string>& lines);
+// The numbers of "key = 1, 2". Throws Error if they are none.
+std::vector<double> numbers_of_line(const std::string& line);
 
 }  // namespace scree

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -8,15 +9,19 @@
 
 namespace scree {
 
+class TriangleMesh;
+
 // The surfaces of all boundaries, where their frames are and how they move.
 struct WallSurfaces {
   std::vector<scree_surface> shapes;
+  std::vector<std::shared_ptr<const TriangleMesh>> meshes;  // null of other shapes
   std::vector<scree_frame> frames;
   std::vector<scree_frame_load> loads;
   std::vector<std::uint32_t> materials;
   std::vector<std::string> names;  // "<boundary>.<surface>"
 
   std::size_t size() const { return shapes.size(); }
+  bool any_mesh() const;
 };
 
 // "" or what a frame has that no surface can have: "velocity is (nan, 0, 0)".

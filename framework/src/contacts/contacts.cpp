@@ -11,8 +11,6 @@ namespace scree {
 
 namespace {
 
-std::uint64_t key(std::uint32_t first, std::uint32_t second) { return std::uint64_t(first) << 32 | second; }
-
 // Image of the pair (b, a) for the image of (a, b).
 std::uint8_t reversed(std::uint8_t image) { return std::uint8_t(2 * Domain::no_shift - image); }
 
@@ -25,13 +23,16 @@ Contacts::Contacts(const std::vector<Kind>& kinds, BodyTiles tiles) : tiles_(til
     group.planes = kind.planes;
     group.surfaces = kind.surfaces;
     group.history_width = kind.history_width;
-    before_.push_back({0, {}, group.history});
+    group.spot_width = kind.spot_width;
+    before_.push_back({0, {}, group.history, group.spots});
     groups_.push_back(std::move(group));
   }
 }
 
-std::uint64_t Contacts::place_key(bool planes, std::uint32_t a, std::uint32_t b) {
-  return planes ? key(a, b) : key(std::min(a, b), std::max(a, b));
+std::uint64_t Contacts::place_key(bool planes, std::uint32_t a, std::uint32_t b, std::uint8_t image) {
+  constexpr std::uint64_t images = 32;
+  const auto key = [](std::uint64_t first, std::uint64_t second) { return first << 32 | second; };
+  return planes ? key(a, images * b + image) : key(std::min(a, b), std::max(a, b));
 }
 
 namespace {
@@ -66,7 +67,8 @@ void Contacts::fill(PairGroup& group, const Pairs& pairs, const Choice& choice, 
       if (choice.belongs(pairs[k]))
         choice.write(pairs[k], choice.second(pairs[k]) < end_of(t) ? inside++ : crossing++);
     write_padding(group, run);
-    group.history.clear(run.begin - group.begin, run.begin - group.begin + run.padded_size());
+    for (PairColumns* const columns : {&group.history, &group.spots})
+      columns->clear(run.begin - group.begin, run.begin - group.begin + run.padded_size());
   });
 }
 
@@ -92,7 +94,7 @@ void Contacts::set_runs(PairGroup& group, const Pairs& pairs, const std::vector<
     begin += run.padded_size();
   }
   resize_with_room(a, begin), resize_with_room(b, begin), resize_with_room(image, begin);
-  group.history.resize(group.history_width, group.padded_size());
+  group.resize_columns();
 }
 
 void Contacts::write_padding(const PairGroup& group, const PairRun& run) {
@@ -108,13 +110,14 @@ void Contacts::rebuild(const std::vector<NeighbourPair>& bodies, const std::vect
   const auto law_of = [&](std::uint32_t material_a, std::uint32_t material_b) {
     return lookup.law_of[material_a * lookup.materials + material_b];
   };
-  std::swap(a, before_a_), std::swap(b, before_b_);
+  std::swap(a, before_a_), std::swap(b, before_b_), std::swap(image, before_image_);
   a.clear(), b.clear(), image.clear();
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     PairGroup& group = groups_[g];
     before_[g].begin = group.begin;
     std::swap(before_[g].runs, group.runs);
     std::swap(before_[g].history, group.history);
+    std::swap(before_[g].spots, group.spots);
     const auto body_of = [](const PlanePair& p) { return p.body; };
     const auto is_turned = [&](const NeighbourPair& p) { return order.number(p.a) > order.number(p.b); };
     const Choice planes_of_group = {
@@ -122,8 +125,7 @@ void Contacts::rebuild(const std::vector<NeighbourPair>& bodies, const std::vect
           return (p.plane >= lookup.surfaces_from) == group.surfaces &&
                  law_of(lookup.body_material[p.body], lookup.plane_material[p.plane]) == group.law;
         },
-        body_of, body_of,
-        [&](const PlanePair& p, std::size_t index) { set_pair(index, p.body, p.plane, Domain::no_shift); }};
+        body_of, body_of, [&](const PlanePair& p, std::size_t index) { set_wall(index, p); }};
     const Choice bodies_of_group = {
         [&](const NeighbourPair& p) {
           if (lookup.materials == 1) return lookup.law_of[0] == group.law;
@@ -143,7 +145,7 @@ void Contacts::rebuild(const std::vector<NeighbourPair>& bodies, const std::vect
 }
 
 std::vector<PairColumns::Move> Contacts::fill_unsorted(PairGroup& group, std::vector<Listed>& pairs) {
-  const auto key_of = [&](const Listed& p) { return place_key(group.planes, p.a, p.b); };
+  const auto key_of = [&](const Listed& p) { return place_key(group.planes, p.a, p.b, p.image); };
   std::sort(pairs.begin(), pairs.end(),
             [&](const Listed& p, const Listed& q) { return key_of(p) < key_of(q); });
   std::vector<PairColumns::Move> rows;
@@ -160,14 +162,16 @@ std::vector<PairColumns::Move> Contacts::fill_unsorted(PairGroup& group, std::ve
 }
 
 void Contacts::clear_histories() {
-  for (PairGroup& group : groups_) group.history.reset(group.history_width, group.padded_size());
+  for (PairGroup& group : groups_) {
+    group.resize_columns();
+    for (PairColumns* const columns : {&group.history, &group.spots}) columns->clear(0, group.padded_size());
+  }
 }
 
 void Contacts::append(std::size_t group, const std::vector<PlanePair>& pairs) {
   const auto body_of = [](const PlanePair& p) { return p.body; };
-  const Choice all = {
-      [](const PlanePair&) { return true; }, body_of, body_of,
-      [&](const PlanePair& p, std::size_t index) { set_pair(index, p.body, p.plane, Domain::no_shift); }};
+  const Choice all = {[](const PlanePair&) { return true; }, body_of, body_of,
+                      [&](const PlanePair& p, std::size_t index) { set_wall(index, p); }};
   ThreadPool alone(1);
   fill(groups_[group], pairs, all, alone);
 }
@@ -175,10 +179,13 @@ void Contacts::append(std::size_t group, const std::vector<PlanePair>& pairs) {
 void Contacts::add_kept_rows(const Before& before, const PairGroup& now, std::size_t p, std::size_t p_end,
                              std::size_t q, std::size_t q_end, std::vector<PairColumns::Move>& rows) const {
   for (; q < q_end; ++q) {
-    const std::uint64_t pair = place_key(now.planes, a[q], b[q]);
-    while (p < p_end && place_key(now.planes, before_a_[p], before_b_[p]) < pair) ++p;
+    const auto key_before = [&] {
+      return place_key(now.planes, before_a_[p], before_b_[p], before_image_[p]);
+    };
+    const std::uint64_t pair = place_key(now.planes, a[q], b[q], image[q]);
+    while (p < p_end && key_before() < pair) ++p;
     if (p == p_end) break;
-    if (before_a_[p] == a[q] && before_b_[p] == b[q])
+    if (key_before() == pair && before_a_[p] == a[q])
       rows.push_back({std::uint32_t(p - before.begin), std::uint32_t(q - now.begin)});
   }
 }
@@ -188,7 +195,7 @@ void Contacts::carry_histories(ThreadPool& threads) {
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     PairGroup& now = groups_[g];
     const Before& before = before_[g];
-    if (now.history_width == 0 || before.history.width() == 0) continue;
+    if (before.history.width() + before.spots.width() == 0 || !now.keeps_numbers()) continue;
     threads.each(now.runs.size(), [&](std::size_t t, unsigned) {
       std::vector<PairColumns::Move>& rows = kept_rows_[t];
       const PairRun &from = before.runs[t], &to = now.runs[t];
@@ -196,6 +203,7 @@ void Contacts::carry_histories(ThreadPool& threads) {
       add_kept_rows(before, now, from.begin, from.crossing, to.begin, to.crossing, rows);
       add_kept_rows(before, now, from.crossing, from.end, to.crossing, to.end, rows);
       now.history.take(before.history, rows);
+      now.spots.take(before.spots, rows);
     });
   }
 }

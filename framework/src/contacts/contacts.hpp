@@ -5,10 +5,12 @@
 
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include <scree/body_order.hpp>
 #include <scree/column.hpp>
+#include <scree/domain.hpp>
 #include <scree/pair_search.hpp>
 #include <scree/plugin/abi.h>
 #include <scree/thread_pool.hpp>
@@ -16,10 +18,15 @@
 
 namespace scree {
 
-// Candidate pair of a body and a wall; walls are numbered, the planes first, then the surfaces.
+// Candidate pair of a body and a wall; walls are numbered, the planes first, then the surfaces. A body may meet
+// a surface in several spots, which are numbered from 0.
 struct PlanePair {
-  std::uint32_t body, plane;
+  std::uint32_t body, plane, spot = 0;
 };
+
+// Pairs with walls have no image; their byte says in which spot they touch.
+constexpr std::uint8_t image_of_spot(std::uint32_t spot) { return std::uint8_t(Domain::no_shift + spot); }
+constexpr std::uint32_t spot_of_image(std::uint8_t image) { return std::uint32_t(image - Domain::no_shift); }
 
 constexpr std::size_t padded_to_lanes(std::size_t pairs) {
   return (pairs + SCREE_LANES - 1) / SCREE_LANES * SCREE_LANES;
@@ -44,6 +51,8 @@ struct PairGroup {
   std::vector<PairRun> runs = {};  // of each tile
   std::uint32_t history_width = 0;
   PairColumns history;  // (width, padded size), zero where the pair does not touch
+  std::uint32_t spot_width = 0;
+  PairColumns spots;  // the same: where spots of a mesh were in its frame (m), see SurfaceContacts
 
   std::size_t padded_size() const { return padded_to_lanes(end - begin); }
   // Calls visit(pair) for all pairs without padding.
@@ -51,6 +60,12 @@ struct PairGroup {
   void each_pair(const Visit& visit) const {
     for (const PairRun& run : runs)
       for (std::size_t q = run.begin; q < run.end; ++q) visit(q);
+  }
+  bool keeps_numbers() const { return history_width + spot_width > 0; }
+  // Makes room for the numbers of all pairs; values are undefined afterwards.
+  void resize_columns() {
+    history.resize(history_width, padded_size());
+    spots.resize(spot_width, padded_size());
   }
   // History value k of a pair, which is numbered over all groups.
   double history_of(std::size_t pair, std::uint32_t k) const { return history.column(k)[pair - begin]; }
@@ -75,6 +90,7 @@ class Contacts {
     bool planes;
     std::uint32_t history_width;
     bool surfaces = false;
+    std::uint32_t spot_width = 0;
   };
   // Tables for finding the law of a pair: law_of[material_a * materials + material_b].
   struct Lookup {
@@ -129,14 +145,16 @@ class Contacts {
     PairGroup* group;
     std::size_t row;
   };
-  Place find(bool plane, std::uint32_t first, std::uint32_t second, const BodyOrder& order = {});
+  // spot: of a body and a wall.
+  Place find(bool plane, std::uint32_t first, std::uint32_t second, const BodyOrder& order = {},
+             std::uint32_t spot = 0);
 
   std::vector<PairGroup>& groups() { return groups_; }
   const std::vector<PairGroup>& groups() const { return groups_; }
   std::size_t padded_size() const { return a.size(); }
 
   Column<std::uint32_t> a, b;  // padding: the last a of its run with itself, or with the first plane
-  Column<std::uint8_t> image;
+  Column<std::uint8_t> image;  // of b; of a wall its spot, see image_of_spot()
 
   // Number of rebuilds; data derived from the pairs is recomputed when it changes.
   std::uint64_t revision() const { return revision_; }
@@ -148,8 +166,9 @@ class Contacts {
     std::uint8_t image;
     std::uint32_t row;
   };
-  // By which the pairs of a run are sorted: of two bodies, the lower place first.
-  static std::uint64_t place_key(bool planes, std::uint32_t a, std::uint32_t b);
+  // By which the pairs of a run are sorted: of two bodies, the lower place first; of a body and a wall, by its
+  // spots.
+  static std::uint64_t place_key(bool planes, std::uint32_t a, std::uint32_t b, std::uint8_t image);
   // Fills a group, which must be the next empty one, with pairs of a range that is sorted by place keys, and
   // history 0. choice.belongs(pair): to the group; choice.first(pair), choice.second(pair): its places, of
   // which the first is lower; choice.write(pair, index) sets a, b and image.
@@ -166,6 +185,9 @@ class Contacts {
   void set_pair(std::size_t index, std::uint32_t first, std::uint32_t second, std::uint8_t code) {
     a[index] = first, b[index] = second, image[index] = code;
   }
+  void set_wall(std::size_t index, const PlanePair& p) {
+    set_pair(index, p.body, p.plane, image_of_spot(p.spot));
+  }
   // The pairs of a group that come to this rank.
   struct Arrived;
   Arrived exchange_group(class Ranks& ranks, const class TileOwners& owners, const PairGroup& group,
@@ -180,13 +202,13 @@ class Contacts {
                                         const BodyOrder& order) const;
   std::vector<std::uint32_t> restore_pairs(const class StateTransfer& state, PairGroup& group,
                                            const BodyOrder& order, std::size_t planes);
-  static void transfer_history(const class StateTransfer& state, PairGroup& group,
-                               const std::vector<std::uint32_t>& storage);
+  static void transfer_columns(const class StateTransfer& state, const std::string& name, const char* unit,
+                               PairColumns& columns, const std::vector<std::uint32_t>& storage);
   // A group before the last rebuild; its memory is reused by the next.
   struct Before {
     std::size_t begin = 0;
     std::vector<PairRun> runs = {};
-    PairColumns history;
+    PairColumns history, spots;
   };
 
   // Adds the rows of the pairs [q, q_end) that were among [p, p_end) before; both are sorted.
@@ -197,6 +219,7 @@ class Contacts {
   std::vector<PairGroup> groups_;
   std::vector<Before> before_;
   Column<std::uint32_t> before_a_, before_b_;
+  Column<std::uint8_t> before_image_;
   std::vector<std::vector<PairColumns::Move>> kept_rows_;  // of each tile
   std::uint64_t revision_ = 0;
 };

@@ -25,10 +25,16 @@ struct KeptNumber {
 
 void add_kept(std::vector<KeptNumber>& numbers, const Contacts& contacts, const PairGroup& group,
               std::size_t pair, const BodyOrder& order) {
-  const std::uint32_t b = group.planes ? contacts.b[pair] : order.number(contacts.b[pair]);
-  for (std::uint32_t k = 0; k < group.history_width; ++k)
-    if (const double value = group.history_of(pair, k); value != 0)
-      numbers.push_back({(std::uint64_t(order.number(contacts.a[pair])) << 32) | b, k, value});
+  constexpr std::uint32_t spots_from = 28;  // bits; walls have lower numbers
+  const std::uint32_t b = group.planes ? contacts.b[pair] | spot_of_image(contacts.image[pair]) << spots_from
+                                       : order.number(contacts.b[pair]);
+  const auto add = [&](std::uint32_t column, double value) {
+    if (value != 0)
+      numbers.push_back({(std::uint64_t(order.number(contacts.a[pair])) << 32) | b, column, value});
+  };
+  for (std::uint32_t k = 0; k < group.history_width; ++k) add(k, group.history_of(pair, k));
+  for (std::uint32_t k = 0; k < group.spot_width; ++k)
+    add(group.history_width + k, group.spots.column(k)[pair - group.begin]);
 }
 
 // On the first rank: of all ranks, in scene order.

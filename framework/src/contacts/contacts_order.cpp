@@ -2,6 +2,7 @@
 #include "contacts/contacts.hpp"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 // Pairs by the places of their bodies in memory, and by their numbers.
@@ -18,9 +19,10 @@ void Contacts::rearrange(const std::vector<std::uint32_t>& from) {
       pairs.push_back({to[old_a[q]], group.planes ? old_b[q] : to[old_b[q]], old_image[q],
                        std::uint32_t(q - group.begin)});
     });
-    const PairColumns history = std::exchange(group.history, {});
+    const PairColumns history = std::exchange(group.history, {}), spots = std::exchange(group.spots, {});
     const std::vector<PairColumns::Move> rows = fill_unsorted(group, pairs);
     group.history.take(history, rows);
+    group.spots.take(spots, rows);
   }
   ++revision_;
 }
@@ -81,7 +83,9 @@ std::vector<std::size_t> Contacts::in_scene_order(const PairGroup& group, const 
       tiles_.size() + 1, first, [&](const auto& visit) { group.each_pair(visit); },
       [&](std::size_t q) { return tiles_.count() == 1 && !order.rearranged() ? 0 : order.number(a[q]); },
       [&](std::size_t q, std::size_t index) { pairs[index] = q; });
-  const auto second = [&](std::size_t q) { return group.planes ? b[q] : order.number(b[q]); };
+  const auto second = [&](std::size_t q) {
+    return std::tuple(group.planes ? b[q] : order.number(b[q]), image[q]);
+  };
   if (tiles_.count() == 1 && !order.rearranged()) return pairs;
   for (std::size_t k = 0; k + 1 < first.size(); ++k)
     std::sort(pairs.begin() + first[k], pairs.begin() + first[k + 1],
@@ -89,10 +93,10 @@ std::vector<std::size_t> Contacts::in_scene_order(const PairGroup& group, const 
   return pairs;
 }
 
-Contacts::Place Contacts::find(bool plane, std::uint32_t first, std::uint32_t second,
-                               const BodyOrder& order) {
+Contacts::Place Contacts::find(bool plane, std::uint32_t first, std::uint32_t second, const BodyOrder& order,
+                               std::uint32_t spot) {
   const std::uint32_t one = order.place(first), other = plane ? second : order.place(second);
-  const std::uint64_t wanted = place_key(plane, one, other);
+  const std::uint64_t wanted = place_key(plane, one, other, image_of_spot(spot));
   const std::size_t tile = tiles_.owner(plane ? one : std::min(one, other));
   const bool crosses = !plane && tiles_.owner(std::max(one, other)) != tile;
   for (PairGroup& group : groups_) {
@@ -102,9 +106,10 @@ Contacts::Place Contacts::find(bool plane, std::uint32_t first, std::uint32_t se
     std::size_t low = crosses ? run.crossing : run.begin, high = end;
     while (low < high) {
       const std::size_t middle = (low + high) / 2;
-      place_key(plane, a[middle], b[middle]) < wanted ? low = middle + 1 : high = middle;
+      place_key(plane, a[middle], b[middle], image[middle]) < wanted ? low = middle + 1 : high = middle;
     }
-    if (low < end && place_key(plane, a[low], b[low]) == wanted) return {&group, low - group.begin};
+    if (low < end && place_key(plane, a[low], b[low], image[low]) == wanted)
+      return {&group, low - group.begin};
   }
   return {nullptr, 0};
 }

@@ -16,7 +16,7 @@ struct SentPair {
 
 }  // namespace
 
-// Histories of a pair, then further numbers.
+// Histories of a pair, then its spot, then further numbers.
 struct Contacts::Arrived {
   std::vector<Listed> pairs;
   std::vector<double> numbers;
@@ -34,12 +34,12 @@ void Contacts::send_to_owners(Ranks& ranks, const TileOwners& owners, PairColumn
   further.reset(width, padded_size());
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     PairGroup& group = groups_[g];
-    const std::uint32_t of_history = group.history_width;
     for (const PairColumns::Move& row : rows[g]) {
-      const double* const of_pair = arrived[g].numbers.data() + std::size_t(row.from) * (of_history + width);
-      for (std::uint32_t k = 0; k < of_history; ++k) group.history.column(k)[row.to] = of_pair[k];
-      for (std::uint32_t k = 0; k < width; ++k)
-        further.column(k)[group.begin + row.to] = of_pair[of_history + k];
+      const double* number = arrived[g].numbers.data() +
+                             std::size_t(row.from) * (group.history_width + group.spot_width + width);
+      for (std::uint32_t k = 0; k < group.history_width; ++k) group.history.column(k)[row.to] = *number++;
+      for (std::uint32_t k = 0; k < group.spot_width; ++k) group.spots.column(k)[row.to] = *number++;
+      for (std::uint32_t k = 0; k < width; ++k) further.column(k)[group.begin + row.to] = *number++;
     }
   }
   ++revision_;
@@ -54,6 +54,8 @@ Contacts::Arrived Contacts::exchange_group(Ranks& ranks, const TileOwners& owner
     for (std::size_t q = group.runs[tile].begin; q < group.runs[tile].end; ++q) {
       pairs[rank].push_back({a[q], b[q], image[q]});
       for (std::uint32_t k = 0; k < group.history_width; ++k) numbers[rank].push_back(group.history_of(q, k));
+      for (std::uint32_t k = 0; k < group.spot_width; ++k)
+        numbers[rank].push_back(group.spots.column(k)[q - group.begin]);
       for (std::uint32_t k = 0; k < width; ++k) numbers[rank].push_back(further.column(k)[q]);
     }
   }

@@ -20,29 +20,32 @@ void check(const StateTransfer& state, const Pairs& pairs, bool with_planes, std
            std::size_t planes) {
   constexpr std::uint8_t images = 27;
   for (std::size_t q = 0; q < pairs.a.size(); ++q) {
-    const bool listed = with_planes ? pairs.b[q] < planes : pairs.a[q] < pairs.b[q] && pairs.b[q] < bodies;
+    const bool listed = with_planes ? pairs.b[q] < planes && pairs.image[q] >= Domain::no_shift
+                                    : pairs.a[q] < pairs.b[q] && pairs.b[q] < bodies;
     if (pairs.a[q] >= bodies || !listed || pairs.image[q] >= images)
       state.refuse("b", "lists a pair of bodies or walls that the scene does not have");
-    if (q > 0 && std::tie(pairs.a[q - 1], pairs.b[q - 1]) >= std::tie(pairs.a[q], pairs.b[q]))
-      state.refuse("a", "lists pairs that are not sorted");
+    // A body may meet a wall in several spots.
+    const auto key = [&](std::size_t k) {
+      return std::tuple(pairs.a[k], pairs.b[k], with_planes ? pairs.image[k] : 0);
+    };
+    if (q > 0 && key(q - 1) >= key(q)) state.refuse("a", "lists pairs that are not sorted");
   }
 }
 
 }  // namespace
 
-// history_row counts the pairs of the group in scene order; storage has their rows in the group.
-void Contacts::transfer_history(const StateTransfer& state, PairGroup& group,
-                                const std::vector<std::uint32_t>& storage) {
-  if (group.history_width == 0) return;
+// <name>_row counts the pairs of the group in scene order; storage has their rows in the group.
+void Contacts::transfer_columns(const StateTransfer& state, const std::string& name, const char* unit,
+                                PairColumns& columns, const std::vector<std::uint32_t>& storage) {
   std::vector<std::uint32_t> rows, stored;
   for (std::size_t k = 0; !state.restoring() && k < storage.size(); ++k)
-    if (group.history.is_used(storage[k])) rows.push_back(std::uint32_t(k));
-  state.rows("history_row", "", rows);
+    if (columns.is_used(storage[k])) rows.push_back(std::uint32_t(k));
+  state.rows(name + "_row", "", rows);
   for (const std::uint32_t row : rows) {
-    if (row >= storage.size()) state.refuse("history_row", "lists a pair that there is not");
+    if (row >= storage.size()) state.refuse(name + "_row", "lists a pair that there is not");
     stored.push_back(storage[row]);
   }
-  group.history.transfer(state, "history", "1", stored);
+  columns.transfer(state, name, unit, stored);
 }
 
 std::vector<std::uint32_t> Contacts::save_pairs(const StateTransfer& state, const PairGroup& group,
@@ -89,9 +92,11 @@ void Contacts::transfer(const StateTransfer& state, const BodyOrder& order, std:
     of_group.value("planes", "", with_planes);
     if (law != group.law || with_planes != group.planes)
       of_group.refuse("law", "is the law of other contacts");
-    transfer_history(of_group, group,
-                     state.restoring() ? restore_pairs(of_group, group, order, planes)
-                                       : save_pairs(of_group, group, order));
+    const std::vector<std::uint32_t> storage = state.restoring()
+                                                   ? restore_pairs(of_group, group, order, planes)
+                                                   : save_pairs(of_group, group, order);
+    if (group.history_width > 0) transfer_columns(of_group, "history", "1", group.history, storage);
+    if (group.spot_width > 0) transfer_columns(of_group, "spot", "m", group.spots, storage);
   }
   if (state.restoring()) ++revision_;
 }

@@ -10,6 +10,7 @@
 #include <array>
 #include <limits>
 #include <optional>
+#include <string_view>
 
 #include <scree/state_transfer.hpp>
 
@@ -52,6 +53,13 @@ std::array<double, 4 * 27> image_shifts(const Domain& domain) {
 }
 
 }  // namespace
+
+bool keeps_spring(const LawInstance& law, int dimension) {
+  constexpr std::string_view names[] = {"spring_x", "spring_y", "spring_z"};
+  const scree_contact_instance& interface = law.interface;
+  if (!interface.history_names || interface.history_width < std::uint32_t(dimension)) return false;
+  return std::equal(names, names + dimension, interface.history_names);
+}
 
 std::uint32_t reads_of(const std::vector<LawInstance>& laws) {
   std::uint32_t reads = 0;
@@ -120,9 +128,11 @@ void Forces::evaluate(const Evaluation& e, ThreadPool& threads, const FinishPart
                                          .pair_forces = features_.pair_forces,
                                          .max_overlap_ratio = work.max_overlap_ratio,
                                          .surfaces = &work.surfaces.records()};
+  std::vector<std::uint8_t> springs;
+  for (const LawInstance& law : e.laws) springs.push_back(keeps_spring(law, features_.dimension));
   const auto evaluate_pairs = [&](std::size_t tile, unsigned worker, kernel::TilePairs pairs) {
     if (work.surfaces.any() && pairs != kernel::TilePairs::crossing)
-      work.surfaces.resolve(tile, e.contacts, e.particles, work.constants);
+      work.surfaces.resolve(tile, e.contacts, e.particles, springs, work.constants);
     work.evaluate({.input = &input,
                    .tiles = &work.tiles,
                    .tile = tile,
@@ -207,10 +217,7 @@ void Forces::sum_frame_loads(const Particles& particles, std::size_t planes,
 }
 
 void Forces::place_surfaces(const Evaluation& e) {
-  std::vector<PlacedSurface> placed;
-  for (std::size_t s = 0; s < e.surfaces.size(); ++s)
-    placed.emplace_back(e.surfaces.shapes[s], e.surfaces.frames[s], features_.dimension, e.elapsed);
-  work_->surfaces.place(std::move(placed), e.planes.size());
+  work_->surfaces.place(placed_surfaces(e.surfaces, features_.dimension, e.elapsed), e.planes.size());
 }
 
 PairColumns& Forces::pair_forces() { return work_->constants.force; }

@@ -1,19 +1,11 @@
 #include "contacts/start_springs.hpp"
 
 #include <algorithm>
-#include <string_view>
 #include <utility>
 
 namespace scree {
 
 namespace {
-
-bool has_room(const LawInstance& law, int dimension) {
-  constexpr std::string_view names[] = {"spring_x", "spring_y", "spring_z"};
-  const scree_contact_instance& interface = law.interface;
-  if (!interface.history_names || interface.history_width < std::uint32_t(dimension)) return false;
-  return std::equal(names, names + dimension, interface.history_names);
-}
 
 Vec3 normal_of(const ContactList& list, std::size_t contact) {
   return {list.normal[3 * contact], list.normal[3 * contact + 1], list.normal[3 * contact + 2]};
@@ -49,7 +41,7 @@ StartSprings place_springs(const std::vector<Scene::Spring>& springs, const Cont
       ++result.apart;
       continue;
     }
-    if (!has_room(laws[touching.law[*place]], dimension)) {
+    if (!keeps_spring(laws[touching.law[*place]], dimension)) {
       ++result.without_room;
       continue;
     }

@@ -1,5 +1,7 @@
 #include "contacts/stored_histories.hpp"
 
+#include "contacts/contacts.hpp"
+
 #include <vector>
 
 #include <fmt/format.h>
@@ -29,18 +31,23 @@ void visit_group(const State& state, const StateTransfer& group, const std::stri
   std::uint32_t law = 0;
   bool planes = false;
   std::vector<std::uint32_t> a, b, rows;
+  std::vector<std::uint8_t> image;
   group.value("law", "", law);
   group.value("planes", "", planes);
   group.rows("a", "", a);
   group.rows("b", "", b);
+  group.rows("image", "", image);
   group.rows("history_row", "", rows);
   const std::vector<double> numbers = as_double(state.at(path + "/history"));
-  if (law >= plugins.size() || a.size() != b.size() || (rows.empty() ? 0 : numbers.size() % rows.size()))
+  if (law >= plugins.size() || a.size() != b.size() || a.size() != image.size() ||
+      (rows.empty() ? 0 : numbers.size() % rows.size()))
     group.refuse("history", "does not fit the pairs of its group");
   const std::size_t width = rows.empty() ? 0 : numbers.size() / rows.size();
   for (std::size_t r = 0; r < rows.size(); ++r) {
     if (rows[r] >= a.size()) group.refuse("history_row", "lists a pair that there is not");
-    visit({plugins[law], planes, a[rows[r]], b[rows[r]], std::span(numbers).subspan(r * width, width)});
+    if (planes && image[rows[r]] < Domain::no_shift) group.refuse("image", "has an image of a wall");
+    const std::uint32_t spot = planes ? spot_of_image(image[rows[r]]) : 0;
+    visit({plugins[law], planes, a[rows[r]], b[rows[r]], spot, std::span(numbers).subspan(r * width, width)});
   }
 }
 

@@ -14,6 +14,7 @@ struct StoredHistory {
   const std::string& plugin;  // of the law
   bool plane;                 // b is a plane
   std::uint32_t a, b;
+  std::uint32_t spot;  // of a body and a wall
   std::span<const double> numbers;
 };
 

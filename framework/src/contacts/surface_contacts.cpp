@@ -1,6 +1,7 @@
 #include "contacts/surface_contacts.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace scree {
@@ -10,6 +11,15 @@ namespace {
 // A body that is larger than the hollow in which it lies would have an effective radius below 0: it has at
 // most this many times its own.
 constexpr double largest_effective_radius = 1e3;
+
+// 1/R*² = (1/R + κ₁) (1/R + κ₂): exact for spheres; for cylinders and cones, whose contacts are elliptic, the
+// force has an error of 0.02 (R κ)² (Johnson 1985, eq. 4.26, without F₂).
+double effective_radius_at(const Vec2& surface, double of_body) {
+  const auto together = [&](int k) {
+    return std::max(of_body + surface[k], of_body / largest_effective_radius);
+  };
+  return 1 / std::sqrt(together(0) * together(1));
+}
 
 void set_part(double* part, const Vec3& v) { std::copy_n(v.component, 3, part); }
 
@@ -34,17 +44,25 @@ void write_record(const PlacedSurface& surface, const Vec3& point, int dimension
   set_part(at + record::mid_spin, surface.mid_spin());
 }
 
+// Of a pair without a spot.
+NearestPoint away_from(const Vec3& x, double radius) {
+  return {x - Vec3{{0, 0, 2 * radius}}, {{0, 0, 1}}, 2 * radius, {}};
+}
+
 }  // namespace
 
 void SurfaceContacts::plan(const Contacts& contacts, std::size_t record_width) {
   std::vector<std::size_t> first_row;
-  std::size_t rows = 0;
+  std::size_t rows = 0, tiles = 0;
   any_ = false;
   for (const PairGroup& group : contacts.groups()) {
     first_row.push_back(rows);
+    tiles = std::max(tiles, group.runs.size());
     if (group.surfaces) rows += group.padded_size(), any_ = any_ || group.pairs > 0;
   }
   records_.plan(std::move(first_row), rows, record_width);
+  if (any_) mesh_spots_.resize(tiles);
+  for (MeshSpots& spots : mesh_spots_) spots.forget();
 }
 
 void SurfaceContacts::place(std::vector<PlacedSurface> surfaces, std::size_t planes) {
@@ -52,33 +70,52 @@ void SurfaceContacts::place(std::vector<PlacedSurface> surfaces, std::size_t pla
   planes_ = planes;
 }
 
-void SurfaceContacts::resolve(std::size_t tile, const Contacts& contacts, const Particles& particles,
-                              PairConstants& constants) {
+void SurfaceContacts::resolve(std::size_t tile, Contacts& contacts, const Particles& p,
+                              const std::vector<std::uint8_t>& springs, PairConstants& constants) {
   PairColumns& radii = constants.terms[SCREE_EFFECTIVE_RADIUS - SCREE_REDUCED_MASS];
+  double* const effective_radius = radii.size() > 0 ? radii.column(0) : nullptr;
+  mesh_spots_[tile].begin();
   for (std::size_t g = 0; g < contacts.groups().size(); ++g) {
-    const PairGroup& group = contacts.groups()[g];
+    PairGroup& group = contacts.groups()[g];
     if (!group.surfaces || group.runs.empty()) continue;
-    for (std::size_t q = group.runs[tile].begin; q < group.runs[tile].end; ++q)
-      resolve_pair(q, records_.first_row(g) + q - group.begin, contacts, particles,
-                   radii.size() > 0 ? radii.column(0) + q : nullptr);
+    const std::size_t end = group.runs[tile].end;
+    for (std::size_t q = group.runs[tile].begin, next = q; q < end; q = next) {
+      const std::uint32_t a = contacts.a[q], b = contacts.b[q];
+      for (next = q + 1; next < end && contacts.a[next] == a && contacts.b[next] == b;) ++next;
+      resolve_pairs({surfaces_[b - planes_], a, q, next, springs[group.law] != 0},
+                    records_.first_row(g) - group.begin, p, mesh_spots_[tile], group, effective_radius);
+    }
   }
 }
 
-// 1/R* = 1/R + κ: exact for spheres; for cylinders and cones, whose contacts are elliptic, of second order in
-// R κ.
-void SurfaceContacts::resolve_pair(std::size_t pair, std::size_t row, const Contacts& contacts,
-                                   const Particles& p, double* effective_radius) {
-  const std::uint32_t a = contacts.a[pair];
-  const PlacedSurface& surface = surfaces_[contacts.b[pair] - planes_];
+void SurfaceContacts::resolve_pairs(const PairsOfBody& of, std::size_t rows, const Particles& p,
+                                    MeshSpots& mesh_spots, PairGroup& group, double* effective_radius) {
+  const double radius = p.radius()[of.body];
   Vec3 x = {};
-  for (int k = 0; k < p.dimension(); ++k) x[k] = p.position()[k][a];
-  const NearestPoint nearest = surface.nearest(x);
+  for (int k = 0; k < p.dimension(); ++k) x[k] = p.position()[k][of.body];
+  const auto set_pair = [&](std::size_t pair, const NearestPoint& nearest) {
+    set(rows + pair, of.surface, nearest, p);
+    if (effective_radius) effective_radius[pair] = effective_radius_at(nearest.curvature, 1 / radius);
+  };
+  if (!of.surface.mesh()) return set_pair(of.begin, of.surface.nearest(x));
+  const Vec3 here = of.surface.in_frame(x);
+  const SpotRule rule = of.surface.rule();
+  const std::vector<NearestPoint>& spots = mesh_spots.find(*of.surface.mesh(), rule, here, radius);
+  const MeshSpots::Pairs pairs = {group, of.begin, of.end};
+  mesh_spots.follow(rule, here, spots, pairs);
+  if (of.spring) mesh_spots.turn_springs(of.surface.to_scene(), spots, pairs);
+  MeshSpots::keep(spots, pairs);
+  for (std::size_t pair = of.begin; pair < of.end; ++pair) {
+    const bool touches = pair - of.begin < spots.size();
+    set_pair(pair, touches ? of.surface.in_scene(spots[pair - of.begin]) : away_from(x, radius));
+  }
+}
+
+void SurfaceContacts::set(std::size_t row, const PlacedSurface& surface, const NearestPoint& nearest,
+                          const Particles& p) {
   write_record(surface, nearest.point, p.dimension(), p.has_spin(), records_.record(row));
   set_part(records_.normal(row), nearest.normal);
   set_part(records_.lever(row), nearest.point - surface.origin());
-  if (!effective_radius) return;
-  const double curvature = 1 / p.radius()[a];
-  *effective_radius = 1 / std::max(curvature + nearest.curvature, curvature / largest_effective_radius);
 }
 
 }  // namespace scree

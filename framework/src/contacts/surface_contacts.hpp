@@ -2,9 +2,11 @@
 
 #include "contacts/contacts.hpp"
 #include "contacts/kernel/surface_records.hpp"
+#include "contacts/mesh_spots.hpp"
 #include "contacts/pair_constants.hpp"
 #include "surfaces/placed_surface.hpp"
 
+#include <cstdint>
 #include <vector>
 
 #include <scree/particles.hpp>
@@ -19,19 +21,30 @@ class SurfaceContacts {
   // The surfaces of an evaluation, which are numbered behind `planes` planes.
   void place(std::vector<PlacedSurface> surfaces, std::size_t planes);
   bool any() const { return any_; }
-  // Finds the nearest points for the pairs of a tile, and the effective radii of its Hertzian contacts.
-  void resolve(std::size_t tile, const Contacts& contacts, const Particles& particles,
-               PairConstants& constants);
+  // Finds the nearest points for the pairs of a tile, and the effective radii of its Hertzian contacts. Histories
+  // follow the spots of meshes. springs: of each law, whether its histories begin with one.
+  void resolve(std::size_t tile, Contacts& contacts, const Particles& particles,
+               const std::vector<std::uint8_t>& springs, PairConstants& constants);
   const kernel::SurfaceRecords& records() const { return records_; }
 
  private:
-  void resolve_pair(std::size_t pair, std::size_t row, const Contacts& contacts, const Particles& particles,
-                    double* effective_radius);
+  // The pairs of a body and a surface.
+  struct PairsOfBody {
+    const PlacedSurface& surface;
+    std::uint32_t body;
+    std::size_t begin, end;
+    bool spring;
+  };
+  // rows: of records, less the pairs. effective_radius: of all pairs, or null.
+  void resolve_pairs(const PairsOfBody& of, std::size_t rows, const Particles& p, MeshSpots& mesh_spots,
+                     PairGroup& group, double* effective_radius);
+  void set(std::size_t row, const PlacedSurface& surface, const NearestPoint& nearest, const Particles& p);
 
   bool any_ = false;
   std::size_t planes_ = 0;
   std::vector<PlacedSurface> surfaces_;
   kernel::SurfaceRecords records_;
+  std::vector<MeshSpots> mesh_spots_;  // of each tile
 };
 
 }  // namespace scree

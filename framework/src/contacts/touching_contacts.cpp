@@ -1,5 +1,6 @@
 #include "contacts/touching_contacts.hpp"
 
+#include "contacts/mesh_spots.hpp"
 #include "surfaces/placed_surface.hpp"
 
 #include <limits>
@@ -42,13 +43,15 @@ struct Meeting {
 class Walls {
  public:
   explicit Walls(const Boundaries& boundaries) : planes_(boundaries.planes()), domain_(boundaries.domain()) {
-    const WallSurfaces& all = boundaries.surfaces();
-    for (std::size_t s = 0; s < all.size(); ++s)
-      surfaces_.emplace_back(all.shapes[s], all.frames[s], boundaries.dimension());
+    surfaces_ = placed_surfaces(boundaries.surfaces(), boundaries.dimension());
   }
   const Domain& domain() const { return domain_; }
-  // Of a body at x (m) with a radius (m).
-  Meeting meeting(const Vec3& x, double radius, std::uint32_t wall) const {
+  // Of a body with a wall.
+  Meeting meeting(const Particles& p, const Contacts& contacts, const PairGroup& group,
+                  std::size_t pair) const {
+    const std::uint32_t wall = contacts.b[pair];
+    const Vec3 x = position(p, contacts.a[pair]);
+    const double radius = p.radius()[contacts.a[pair]];
     if (wall < planes_.size()) {
       const scree_plane& plane = planes_[wall];
       const Vec3 normal = {{plane.normal[0], plane.normal[1], plane.normal[2]}};
@@ -56,8 +59,14 @@ class Walls {
       for (int k = 0; k < 3; ++k) height += (x[k] - plane.point[k]) * normal[k];
       return {normal, radius - height};
     }
-    const NearestPoint nearest = surfaces_[wall - planes_.size()].nearest(x);
-    return {nearest.normal, radius - nearest.distance};
+    const PlacedSurface& surface = surfaces_[wall - planes_.size()];
+    if (!surface.mesh()) {
+      const NearestPoint nearest = surface.nearest(x);
+      return {nearest.normal, radius - nearest.distance};
+    }
+    const std::optional<NearestPoint> spot =
+        spot_of_pair(*surface.mesh(), surface.rule(), surface.in_frame(x), radius, contacts, group, pair);
+    return spot ? Meeting{surface.in_scene(*spot).normal, radius - spot->distance} : Meeting{{}, -radius};
   }
 
  private:
@@ -66,10 +75,10 @@ class Walls {
   std::vector<PlacedSurface> surfaces_;
 };
 
-Meeting meeting_of(const Particles& p, const Contacts& contacts, bool with_wall, std::size_t pair,
+Meeting meeting_of(const Particles& p, const Contacts& contacts, const PairGroup& group, std::size_t pair,
                    const Walls& walls) {
+  if (group.planes) return walls.meeting(p, contacts, group, pair);
   const std::uint32_t a = contacts.a[pair], b = contacts.b[pair];
-  if (with_wall) return walls.meeting(position(p, a), p.radius()[a], b);
   const Vec3 apart = position(p, a) - position(p, b) + walls.domain().shift(contacts.image[pair]);
   const double distance = norm(apart);
   return {(distance > 0 ? 1 / distance : 0) * apart, p.radius()[a] + p.radius()[b] - distance};
@@ -81,8 +90,7 @@ std::size_t count_touching(const Particles& p, const Contacts& contacts, const B
   const Walls walls(boundaries);
   std::size_t touching = 0;
   for (const PairGroup& group : contacts.groups())
-    group.each_pair(
-        [&](std::size_t q) { touching += meeting_of(p, contacts, group.planes, q, walls).overlap > 0; });
+    group.each_pair([&](std::size_t q) { touching += meeting_of(p, contacts, group, q, walls).overlap > 0; });
   return touching;
 }
 
@@ -91,7 +99,7 @@ void count_contacts(const Particles& p, const Contacts& contacts, const Boundari
   const Walls walls(boundaries);
   for (const PairGroup& group : contacts.groups())
     group.each_pair([&](std::size_t q) {
-      if (!(meeting_of(p, contacts, group.planes, q, walls).overlap > 0)) return;
+      if (!(meeting_of(p, contacts, group, q, walls).overlap > 0)) return;
       ++counts[contacts.a[q]];
       if (!group.planes) ++counts[contacts.b[q]];
     });
@@ -105,7 +113,7 @@ void add_pair(const PairsNow& now, const Walls& walls, const PairGroup& group, s
               ListedPairs listed, const Number& number, ContactList& list) {
   const auto& [p, contacts, forces, laws, boundaries] = now;
   const std::uint32_t a = contacts.a[q], b = contacts.b[q];
-  const auto [normal, overlap] = meeting_of(p, contacts, group.planes, q, walls);
+  const auto [normal, overlap] = meeting_of(p, contacts, group, q, walls);
   if (!(overlap > 0) && !(listed == ListedPairs::touching_or_loaded && is_loaded(forces, q))) return;
   const int sliding_column = laws[group.law].interface.sliding_column;
   list.a.push_back(number(a));

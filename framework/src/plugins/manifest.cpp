@@ -110,10 +110,15 @@ Problem parameter_problem(const scree_plugin& plugin, const scree_parameter& p) 
   if (!p.key) return missing("key of a parameter");
   if (const Problem problem = key_problem(plugin, p.key)) return problem;
   if (!p.unit || !p.doc) return missing(fmt::format("unit or doc of the parameter '{}'", p.key));
-  if (p.type > SCREE_INPUT)
+  if (p.type > SCREE_MESH_FILE)
     return fmt::format("its parameter '{}' has the unknown type {}; give one of scree_type", p.key, p.type);
   if (p.type == SCREE_INPUT && plugin.kind != SCREE_PROBE)
     return fmt::format("its parameter '{}' is a column of a probe, which only probes read; remove it", p.key);
+  if (p.type == SCREE_MESH_FILE && (plugin.kind != SCREE_BOUNDARY || !(p.flags & SCREE_AT_START_ONLY)))
+    return fmt::format(
+        "its parameter '{}' is a mesh, which only boundaries have, from the start on; remove it, or "
+        "set SCREE_AT_START_ONLY",
+        p.key);
   if (p.type == SCREE_CHOICE && !p.choices)
     return missing(fmt::format("choices of the parameter '{}'", p.key));
   if (const Problem problem = default_problem(p)) return problem;

@@ -35,6 +35,8 @@ std::string kind_of(const scree_parameter& p) {
       return "number or program of time";
     case SCREE_INPUT:
       return "\"<probe>.<column>\" of another probe";
+    case SCREE_MESH_FILE:
+      return "file with triangles";
     case SCREE_NUMBER:
       break;
   }
@@ -44,7 +46,7 @@ std::string kind_of(const scree_parameter& p) {
 // Whether the number of values or their kind does not match the type: plug-ins read them unchecked, and use a
 // choice as an index.
 bool has_wrong_shape(const scree_parameter& p, const std::vector<double>& data) {
-  if (p.type == SCREE_LIST) return false;
+  if (p.type == SCREE_LIST || p.type == SCREE_MESH_FILE) return false;
   if (data.size() != (p.type == SCREE_VECTOR ? 3 : 1)) return true;
   const bool whole = p.type == SCREE_INTEGER || p.type == SCREE_BOOLEAN || p.type == SCREE_CHOICE;
   if (whole && data[0] != std::floor(data[0])) return true;
@@ -109,6 +111,7 @@ std::optional<Error> Parameters::problem(const scree_parameter& p, const std::ve
       if (out_of_range(p, x)) return wrong(fmt::format("reaches {:g}, which is out of range", x));
     return {};
   }
+  if (p.type == SCREE_MESH_FILE) return {};  // checked where it becomes a surface
   for (const double x : data)
     if (!std::isfinite(x) || (p.type != SCREE_CHOICE && out_of_range(p, x)))
       return wrong(fmt::format("= {:g} is out of range", x));

@@ -46,11 +46,14 @@ std::vector<NeighbourPair> without_fixed_pairs(const std::vector<NeighbourPair>&
   return pairs;
 }
 
-std::vector<PlacedSurface> placed(const WallSurfaces& surfaces, int dimension) {
-  std::vector<PlacedSurface> placed;
-  for (std::size_t s = 0; s < surfaces.size(); ++s)
-    placed.emplace_back(surfaces.shapes[s], surfaces.frames[s], dimension);
-  return placed;
+// Most spots in which a body may touch a surface before the next search.
+std::size_t spots_near(const PlacedSurface& surface, const Sphere& body, double skin,
+                       std::vector<TriangleMesh::Near>& near) {
+  const double reach = body.radius + skin;
+  if (!surface.mesh()) return surface.nearest(body.position).distance < reach ? 1 : 0;
+  const Vec3 here = surface.in_frame(body.position);
+  surface.mesh()->find_near(here, reach, near);
+  return spots_possible(*surface.mesh(), surface.rule(), here, near);
 }
 
 // Walls near the bodies of a range, of each body in the order of their numbers.
@@ -58,6 +61,7 @@ void add_near_walls(std::span<const Sphere> bodies, BodyRange range, const Bound
                     const std::vector<PlacedSurface>& surfaces, int dimension, double skin,
                     std::vector<PlanePair>& pairs) {
   const std::vector<scree_plane>& planes = boundaries.planes();
+  std::vector<TriangleMesh::Near> near;
   for (std::uint32_t i = std::uint32_t(range.begin); i < range.end; ++i) {
     for (std::uint32_t w = 0; w < planes.size(); ++w) {
       if (boundaries.absent()[w]) continue;
@@ -66,9 +70,11 @@ void add_near_walls(std::span<const Sphere> bodies, BodyRange range, const Bound
         height += (bodies[i].position[k] - planes[w].point[k]) * planes[w].normal[k];
       if (height < bodies[i].radius + skin) pairs.push_back({i, w});
     }
-    for (std::uint32_t s = 0; s < surfaces.size(); ++s)
-      if (surfaces[s].nearest(bodies[i].position).distance < bodies[i].radius + skin)
-        pairs.push_back({i, std::uint32_t(planes.size()) + s});
+    for (std::uint32_t s = 0; s < surfaces.size(); ++s) {
+      const std::size_t spots = spots_near(surfaces[s], bodies[i], skin, near);
+      for (std::uint32_t spot = 0; spot < spots; ++spot)
+        pairs.push_back({i, std::uint32_t(planes.size()) + s, spot});
+    }
   }
 }
 
@@ -165,11 +171,8 @@ void NeighbourList::search(double moved, Particles& particles, const Boundaries&
   const int dimension = particles.dimension();
   const std::vector<NeighbourPair>& found = find_pairs(moved, particles, boundaries.domain(), threads);
   const std::vector<NeighbourPair> some = without_fixed_pairs(found, particles);
-  std::vector<PlanePair> near_walls;
-  const std::vector<PlacedSurface> surfaces = placed(boundaries.surfaces(), dimension);
-  for (const std::uint32_t tile : own_tiles(particles.size()))
-    add_near_walls(bodies_at_search_, BodyTiles(particles.size())[tile], boundaries, surfaces, dimension,
-                   skin_, near_walls);
+  const std::vector<PlacedSurface> surfaces = placed_surfaces(boundaries.surfaces(), dimension);
+  const std::vector<PlanePair> near_walls = walls_near_bodies(boundaries, surfaces, dimension, threads);
   contacts.rebuild(particles.fixed.empty() ? found : some,  // no copy of what was found
                    near_walls, lookup, particles.order(), threads);
   planes_at_search_ = boundaries.planes();
@@ -179,6 +182,20 @@ void NeighbourList::search(double moved, Particles& particles, const Boundaries&
   steps_ = 0;
   ++rebuilds_;
   compare_order(contacts, dimension);
+}
+
+std::vector<PlanePair> NeighbourList::walls_near_bodies(const Boundaries& boundaries,
+                                                        const std::vector<PlacedSurface>& surfaces,
+                                                        int dimension, ThreadPool& threads) const {
+  const std::vector<std::uint32_t> own = own_tiles(bodies_at_search_.size());
+  const BodyTiles tiles(bodies_at_search_.size());
+  std::vector<std::vector<PlanePair>> near(own.size());
+  threads.each(own.size(), [&](std::size_t k, unsigned) {
+    add_near_walls(bodies_at_search_, tiles[own[k]], boundaries, surfaces, dimension, skin_, near[k]);
+  });
+  std::vector<PlanePair> all;
+  for (const std::vector<PlanePair>& of_tile : near) all.insert(all.end(), of_tile.begin(), of_tile.end());
+  return all;
 }
 
 // A body may come nearer by a skin, and meet what is a radius away.

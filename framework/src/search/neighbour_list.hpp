@@ -79,6 +79,9 @@ class NeighbourList {
   // moved: bound of the displacement of any body since the last search (m).
   void search(double moved, Particles& particles, const Boundaries& boundaries, Contacts& contacts,
               ThreadPool& threads);
+  std::vector<PlanePair> walls_near_bodies(const Boundaries& boundaries,
+                                           const std::vector<class PlacedSurface>& surfaces, int dimension,
+                                           ThreadPool& threads) const;
   void record_positions(Particles& particles, const Domain& domain, ThreadPool& threads);
   void transfer_bodies(const class StateTransfer& state, const BodyOrder& order);
   void transfer_crossing(const class StateTransfer& state);

@@ -101,6 +101,16 @@ void transfer_bodies_at_start(const StateTransfer& state, Bodies& bodies) {
   transfer_vector(start, "spin", "rad/s", bodies, &Body::spin, false);
 }
 
+// A line of a mesh has millions of numbers.
+std::string shortened(const std::string& line) {
+  constexpr std::size_t most = 200;
+  return line.size() <= most ? line : line.substr(0, most) + " ...";
+}
+template <class T>
+const T& shortened(const T& value) {
+  return value;
+}
+
 // The first of the values in which two arrays differ, as text.
 std::string difference(const StateArray& stored, const StateArray& present) {
   if (stored.values.index() != present.values.index()) return "another type of values";
@@ -109,7 +119,7 @@ std::string difference(const StateArray& stored, const StateArray& present) {
         const auto& now = std::get<std::vector<T>>(present.values);
         const auto [x, y] = std::mismatch(before.begin(), before.end(), now.begin(), now.end());
         const auto text = [](auto at, const std::vector<T>& all) {
-          return at == all.end() ? std::string("nothing more") : fmt::format("'{}'", *at);
+          return at == all.end() ? std::string("nothing more") : fmt::format("'{}'", shortened(*at));
         };
         return fmt::format("{} there, {} here", text(x, before), text(y, now));
       },
@@ -141,18 +151,20 @@ Parameters parameters_of(const scree_plugin& plugin, const std::vector<std::stri
       parameters.set_absent(true);
       continue;
     }
-    const std::size_t equals = line.find(" = ");
-    std::vector<double> data;
-    const char* at = line.data() + std::min(line.size(), equals + 3);
-    for (const char* const end = line.data() + line.size(); at < end; at += 2) {
-      const auto [rest, failed] = std::from_chars(at, end, data.emplace_back());
-      if (failed != std::errc())
-        throw Error(fmt::format("'{}' in the state is not a parameter of {}", line, plugin.name));
-      at = rest;
-    }
-    parameters.set(line.substr(0, equals), std::move(data));
+    parameters.set(line.substr(0, line.find(" = ")), numbers_of_line(line));
   }
   return parameters;
+}
+
+std::vector<double> numbers_of_line(const std::string& line) {
+  std::vector<double> numbers;
+  const char* at = line.data() + std::min(line.size(), line.find(" = ") + 3);
+  for (const char* const end = line.data() + line.size(); at < end; at += 2) {
+    const auto [rest, failed] = std::from_chars(at, end, numbers.emplace_back());
+    if (failed != std::errc()) throw Error(fmt::format("'{}' in the state has no numbers", shortened(line)));
+    at = rest;
+  }
+  return numbers;
 }
 
 void save_scene(const StateTransfer& state, const Scene& scene) {
@@ -308,7 +320,7 @@ std::vector<Body> bodies_at_start(const State& state) {
 }
 
 RecordedBodies recorded_bodies(const State& state) {
-  return {bodies_at_start(state), groups_of(state), selections_of(state)};
+  return {bodies_at_start(state), groups_of(state), selections_of(state), recorded_boundaries(state)};
 }
 
 std::vector<Body> present_bodies(const State& state) {

@@ -205,7 +205,8 @@ Branch::Dropped Branch::each_row(SimulationParts& parts, const VisitRow& visit) 
     if (b == no_wall) return void(++dropped.of_walls);
     if (!stored.plane && scene_.bodies[stored.a].fixed && scene_.bodies[b].fixed)
       return void(++dropped.of_fixed);
-    const auto [group, row] = parts.contacts.find(stored.plane, stored.a, b, parts.particles.order());
+    const auto [group, row] =
+        parts.contacts.find(stored.plane, stored.a, b, parts.particles.order(), stored.spot);
     if (!group && is_absent(parts, stored.plane, stored.a, b)) return void(++dropped.of_absent);
     if (!group)
       throw no_place("two bodies touch in the state and not in the scene", "keep its periodic faces",

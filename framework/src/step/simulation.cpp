@@ -22,6 +22,7 @@
 #include <scree/state_hash.hpp>
 #include <scree/state_transfer.hpp>
 #include <scree/step_guard.hpp>
+#include <scree/surface_checks.hpp>
 
 namespace scree {
 
@@ -80,6 +81,7 @@ double sum_of_squares(const Vectors<const double>& v, Particles::Axes axes, cons
 Simulation::Simulation(Scene scene, Ranks* ranks)
     : Simulation(std::make_unique<SimulationParts>(std::move(scene))) {
   SimulationParts& p = *parts_;
+  check_sides(p.boundaries.surfaces(), p.particles);
   const bool share_early = ranks && p.scene.springs.empty();
   if (share_early) share_with(ranks);
   without_exception(*this, [&] { return p.find_and_evaluate_pairs(), start_springs(), true; });

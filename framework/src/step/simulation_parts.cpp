@@ -1,6 +1,7 @@
 #include "step/simulation_parts.hpp"
 
 #include "contacts/kernel/placement.hpp"
+#include "contacts/mesh_spots.hpp"
 #include "step/health.hpp"
 #include "walls/enclosure.hpp"
 
@@ -86,7 +87,8 @@ Contacts make_contacts(const SimulationParts& parts) {
     const std::uint32_t width = parts.laws[k].interface.history_width;
     kinds.push_back({k, false, width});
     if (!parts.boundaries.planes().empty()) kinds.push_back({k, true, width});
-    if (parts.boundaries.surfaces().size() > 0) kinds.push_back({k, true, width, true});
+    const WallSurfaces& surfaces = parts.boundaries.surfaces();
+    if (surfaces.size() > 0) kinds.push_back({k, true, width, true, surfaces.any_mesh() ? spot_width : 0});
   }
   return Contacts(kinds, BodyTiles(parts.particles.size()));
 }

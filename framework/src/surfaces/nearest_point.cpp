@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 
 namespace scree {
 
 namespace {
 
-// From a face with this normal at its outside, a signed height (m) and the curvature that its outside has.
+// From a face with this normal at its outside, a signed height (m) and the curvatures that its outside has.
 NearestPoint on_face(std::uint32_t side, const Vec3& point, const Vec3& outwards, double height,
-                     double curvature) {
+                     const Vec2& curvature) {
   const bool inside = side == SCREE_INSIDE || (side == SCREE_BOTH_SIDES && height < 0);
   if (inside) return {point, -outwards, -height, -curvature};
   return {point, outwards, height, curvature};
@@ -20,7 +21,7 @@ NearestPoint on_face(std::uint32_t side, const Vec3& point, const Vec3& outwards
 NearestPoint on_edge(const Vec3& point, const Vec3& x) {
   const Vec3 away = x - point;
   const double distance = norm(away);
-  return {point, distance > 0 ? 1 / distance * away : Vec3{{0, 0, 1}}, distance, 0};
+  return {point, distance > 0 ? 1 / distance * away : Vec3{{0, 0, 1}}, distance, {}};
 }
 
 NearestPoint on_flat(const scree_surface& s, int dimension, const Vec3& x) {
@@ -32,7 +33,7 @@ NearestPoint on_flat(const scree_surface& s, int dimension, const Vec3& x) {
     point[k] = std::clamp(x[k], -s.size[k], s.size[k]);
     over_face = over_face && point[k] == x[k];
   }
-  return over_face ? on_face(s.side, point, outwards, x[up], 0) : on_edge(point, x);
+  return over_face ? on_face(s.side, point, outwards, x[up], {}) : on_edge(point, x);
 }
 
 // In the half plane of the axis and x: distance from the axis, and z.
@@ -50,7 +51,7 @@ NearestPoint on_revolved(const scree_surface& s, const Vec3& x) {
   const HalfPlane plane(x);
   const double r = s.size[0], z = s.size[1];
   if (std::isinf(z))
-    return on_face(s.side, plane.at(r, x[2]), plane.radial, plane.distance - r, r > 0 ? 1 / r : 0);
+    return on_face(s.side, plane.at(r, x[2]), plane.radial, plane.distance - r, {{1 / r, 0}});
   const double along_r = s.size[2] - r, along_z = s.size[3] - z,
                length = std::sqrt(along_r * along_r + along_z * along_z);
   const double u_r = along_r / length, u_z = along_z / length;
@@ -60,7 +61,7 @@ NearestPoint on_revolved(const scree_surface& s, const Vec3& x) {
   const double radius = r + place * u_r, height = (plane.distance - r) * u_z - (x[2] - z) * u_r;
   // Of a cone across its lines; along them it is straight.
   const double curvature = radius > 0 ? u_z / radius : 0;
-  return on_face(s.side, plane.at(radius, z + place * u_z), plane.at(u_z, -u_r), height, curvature);
+  return on_face(s.side, plane.at(radius, z + place * u_z), plane.at(u_z, -u_r), height, {{curvature, 0}});
 }
 
 // The edge at a height of a sphere or circle that is cut there.
@@ -77,7 +78,7 @@ NearestPoint on_ball(const scree_surface& s, int dimension, const Vec3& x) {
   const double height = radius * outwards[axis];
   if (height < s.size[1]) return on_rim(s, dimension, s.size[1], x);
   if (height > s.size[2]) return on_rim(s, dimension, s.size[2], x);
-  return on_face(s.side, radius * outwards, outwards, distance - radius, 1 / radius);
+  return on_face(s.side, radius * outwards, outwards, distance - radius, {{1 / radius, 1 / radius}});
 }
 
 const char* problem_of_revolved(const scree_surface& s) {
@@ -88,6 +89,15 @@ const char* problem_of_revolved(const scree_surface& s) {
   if (std::isinf(z0) || std::isinf(z1))
     return std::isinf(z0) && std::isinf(z1) && z0 < z1 && r0 == r1 ? "" : "it is infinite at one end alone";
   return r0 != r1 || z0 != z1 ? "" : "its line has no length";
+}
+
+// The numbers themselves are those of TriangleMesh.
+const char* problem_of_mesh(const scree_surface& s, int dimension) {
+  if (dimension == 2) return "a 2D scene has no meshes";
+  if (!(s.size[0] > 0 && std::isfinite(s.size[0]))) return "its scale is not above 0";
+  if (!(s.size[1] >= 0 && s.size[1] < std::numbers::pi / 2))
+    return "its smooth angle is not below a right one";
+  return s.mesh ? "" : "it has no triangles";
 }
 
 }  // namespace
@@ -104,7 +114,8 @@ NearestPoint nearest_point(const scree_surface& surface, int dimension, const Ve
 }
 
 const char* problem_of(const scree_surface& s, int dimension) {
-  if (s.shape > SCREE_BALL || s.side > SCREE_INSIDE) return "its shape or side is unknown";
+  if (s.shape > SCREE_MESH || s.side > SCREE_INSIDE) return "its shape or side is unknown";
+  if (s.shape == SCREE_MESH) return problem_of_mesh(s, dimension);
   if (s.shape == SCREE_REVOLVED)
     return dimension == 2 ? "a 2D scene has no such shape" : problem_of_revolved(s);
   if (s.shape == SCREE_BALL) {
@@ -130,6 +141,7 @@ double reach_of(const scree_surface& s, int dimension) {
 }
 
 bool turns_into_itself(const scree_surface& s, int dimension) {
+  if (s.shape == SCREE_MESH) return false;
   if (s.shape == SCREE_FLAT) return dimension == 3 && std::isinf(s.size[0]) && std::isinf(s.size[1]);
   return dimension == 3 || (std::isinf(s.size[1]) && std::isinf(s.size[2]));
 }

@@ -7,19 +7,22 @@ namespace scree {
 
 // Where a surface is nearest to the centre of a body, in the frame of the surface.
 struct NearestPoint {
-  Vec3 point;        // (m)
-  Vec3 normal;       // unit, from the surface to the side on which the body is
-  double distance;   // (m) of the centre along the normal; below 0 behind a surface with one side
-  double curvature;  // (1/m) of the surface there, above 0 where it bulges towards the body; 0 on edges
+  Vec3 point;       // (m)
+  Vec3 normal;      // unit, from the surface to the side on which the body is
+  double distance;  // (m) of the centre along the normal; below 0 behind a surface with one side
+  Vec2 curvature;   // (1/m) principal ones of the surface, above 0 where it bulges towards the body; in 2D
+                    // twice the same; 0 on edges
 };
 
-// The nearest point to x (m); of several that are equally near, one. x: in the frame of the surface.
+// The nearest point to x (m) of a surface that is no mesh; of several that are equally near, one. x: in the
+// frame of the surface.
 NearestPoint nearest_point(const scree_surface& surface, int dimension, const Vec3& x);
 
 // Why a surface is none, or "".
 const char* problem_of(const scree_surface& surface, int dimension);
 
-// Largest distance (m) of a point of the surface from the origin of its frame; may be infinite.
+// Largest distance (m) of a point of the surface, which is no mesh, from the origin of its frame; may be
+// infinite.
 double reach_of(const scree_surface& surface, int dimension);
 
 // Whether a spin about the axis z of its frame, in 2D about the origin, leaves a surface as it is.

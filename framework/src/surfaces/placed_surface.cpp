@@ -9,9 +9,13 @@ Vec3 vector(const double (&v)[3]) { return {{v[0], v[1], v[2]}}; }
 }  // namespace
 
 // A turn by θ about an axis moves what is at r in its middle by 2 sin(θ/2) axis × r.
-PlacedSurface::PlacedSurface(const scree_surface& surface, const scree_frame& frame, int dimension,
-                             double step)
+PlacedSurface::PlacedSurface(const WallSurfaces& all, std::size_t surface, int dimension, double step)
+    : PlacedSurface(all.shapes[surface], all.meshes[surface].get(), all.frames[surface], dimension, step) {}
+
+PlacedSurface::PlacedSurface(const scree_surface& surface, const TriangleMesh* mesh, const scree_frame& frame,
+                             int dimension, double step)
     : surface_(surface),
+      mesh_(mesh),
       dimension_(dimension),
       origin_(vector(frame.position)),
       velocity_(vector(frame.velocity)),
@@ -23,10 +27,20 @@ PlacedSurface::PlacedSurface(const scree_surface& surface, const scree_frame& fr
       chord_(step != 0 ? 2 / step * half_angle_of(step * mid_spin_).sine : mid_spin_) {}
 
 NearestPoint PlacedSurface::nearest(const Vec3& x) const {
-  NearestPoint found = nearest_point(surface_, dimension_, to_scene_.back()(x - origin_));
+  const Vec3 here = in_frame(x);
+  return in_scene(mesh_ ? nearest_spot(*mesh_, rule(), here) : nearest_point(surface_, dimension_, here));
+}
+
+NearestPoint PlacedSurface::in_scene(NearestPoint found) const {
   found.point = origin_ + to_scene_(found.point);
   found.normal = to_scene_(found.normal);
   return found;
+}
+
+std::vector<PlacedSurface> placed_surfaces(const WallSurfaces& all, int dimension, double step) {
+  std::vector<PlacedSurface> placed;
+  for (std::size_t s = 0; s < all.size(); ++s) placed.emplace_back(all, s, dimension, step);
+  return placed;
 }
 
 }  // namespace scree

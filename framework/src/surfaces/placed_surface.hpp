@@ -1,8 +1,12 @@
 #pragma once
 
+#include "surfaces/contact_spots.hpp"
 #include "surfaces/nearest_point.hpp"
 
+#include <vector>
+
 #include <scree/plugin/rotation.hpp>
+#include <scree/wall_surfaces.hpp>
 
 namespace scree {
 
@@ -10,10 +14,18 @@ namespace scree {
 class PlacedSurface {
  public:
   // step: (s) 0: mid_velocity and mid_spin of the frame are velocities at one time.
-  PlacedSurface(const scree_surface& surface, const scree_frame& frame, int dimension, double step = 0);
+  PlacedSurface(const WallSurfaces& all, std::size_t surface, int dimension, double step);
 
   // The nearest point to x (m), in the scene.
   NearestPoint nearest(const Vec3& x) const;
+  // Null if it is no mesh.
+  const TriangleMesh* mesh() const { return mesh_; }
+  // How a body touches the mesh.
+  SpotRule rule() const { return {surface_.side, std::cos(surface_.size[1])}; }
+  // From the scene to the frame of the surface, and back.
+  Vec3 in_frame(const Vec3& x) const { return to_scene_.back()(x - origin_); }
+  NearestPoint in_scene(NearestPoint found) const;
+  const Rotation& to_scene() const { return to_scene_; }
   // Velocity (m/s) of the material that is at a point, given from the origin of the frame (m): at the end of
   // the step, and its displacement in the step / step.
   Vec3 velocity(const Vec3& from_origin) const { return velocity_ + cross(spin_, from_origin); }
@@ -25,11 +37,18 @@ class PlacedSurface {
   const Vec3& mid_spin() const { return mid_spin_; }
 
  private:
+  PlacedSurface(const scree_surface& surface, const TriangleMesh* mesh, const scree_frame& frame,
+                int dimension, double step);
+
   const scree_surface& surface_;
+  const TriangleMesh* mesh_;
   int dimension_;
   Vec3 origin_, velocity_, spin_, mid_velocity_, mid_spin_;
   Rotation to_scene_, half_back_;
   Vec3 chord_;  // (rad/s) times a place in the middle of a turn: its displacement / step
 };
+
+// All surfaces. step: (s) see PlacedSurface.
+std::vector<PlacedSurface> placed_surfaces(const WallSurfaces& all, int dimension, double step = 0);
 
 }  // namespace scree

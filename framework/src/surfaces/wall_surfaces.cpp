@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -5,6 +6,10 @@
 #include <scree/wall_surfaces.hpp>
 
 namespace scree {
+
+bool WallSurfaces::any_mesh() const {
+  return std::any_of(meshes.begin(), meshes.end(), [](const auto& mesh) { return mesh != nullptr; });
+}
 
 std::string problem_of(const scree_frame& frame) {
   const auto bad = [](const char* name, const double(&v)[3]) -> std::string {

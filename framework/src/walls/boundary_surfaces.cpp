@@ -1,6 +1,7 @@
 #include "walls/boundary_surfaces.hpp"
 
 #include "surfaces/nearest_point.hpp"
+#include "surfaces/triangle_mesh.hpp"
 #include "walls/boundaries.hpp"
 
 #include <algorithm>
@@ -21,13 +22,16 @@ constexpr scree_frame at_origin = {{0, 0, 0}, {1, 0, 0, 0}, {0, 0, 0}, {0, 0, 0}
 double length(const double (&v)[3]) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
 
 // Largest speed (m/s) with which a surface comes to where it was not: a turn about its own axis leaves it.
-double speed_of(const scree_surface& surface, const scree_frame& frame, int dimension, double reach) {
+double speed_of(const WallSurfaces& all, std::size_t s, int dimension, double reach) {
+  const scree_surface& surface = all.shapes[s];
+  const scree_frame& frame = all.frames[s];
   const auto& q = frame.orientation;
   const Vec3 axis = Rotation{q[0], {{q[1], q[2], q[3]}}}(Vec3{{0, 0, 1}});
   Vec3 swing = {{frame.mid_spin[0], frame.mid_spin[1], frame.mid_spin[2]}};
   if (turns_into_itself(surface, dimension)) swing -= dot(swing, axis) * axis;
+  const double farthest = all.meshes[s] ? all.meshes[s]->reach() : reach_of(surface, dimension);
   const double turning = norm(swing), moving = length(frame.mid_velocity);
-  return turning > 0 ? moving + turning * std::min(reach, reach_of(surface, dimension)) : moving;
+  return turning > 0 ? moving + turning * std::min(reach, farthest) : moving;
 }
 
 }  // namespace
@@ -36,10 +40,34 @@ bool same_surfaces(const scree_boundary_instance& one, const scree_boundary_inst
   return one.surface_count == other.surface_count &&
          std::equal(one.surfaces, one.surfaces + one.surface_count, other.surfaces,
                     [](const scree_surface& a, const scree_surface& b) {
-                      return a.shape == b.shape && a.side == b.side &&
-                             std::equal(std::begin(a.size), std::end(a.size), b.size);
+                      return a.shape == b.shape && a.side == b.side && a.mesh_size == b.mesh_size &&
+                             std::equal(std::begin(a.size), std::end(a.size), b.size) &&
+                             std::equal(a.mesh, a.mesh + a.mesh_size, b.mesh);
                     });
 }
+
+namespace {
+
+// Its triangles; null if it is no mesh.
+std::shared_ptr<const TriangleMesh> mesh_of(const scree_surface& surface, const char* plugin,
+                                            const std::string& name) {
+  if (surface.shape != SCREE_MESH) return nullptr;
+  const auto refuse = [&](const std::string& problem, const char* cure) {
+    throw Error(fmt::format("boundary plug-in {}, surface {}: {}; {}", plugin, name, problem, cure));
+  };
+  std::shared_ptr<const TriangleMesh> mesh;
+  try {
+    mesh = shared_mesh({surface.mesh, surface.mesh_size}, surface.size[0]);
+  } catch (const Error& error) {
+    refuse(error.problem(), "give a file with triangles");
+  }
+  if (surface.side != SCREE_BOTH_SIDES && !mesh->findings().closed())
+    refuse("side is given, and the mesh is not closed: " + mesh->findings().text(),
+           "close it, or leave side out: bodies then touch it from both sides");
+  return mesh;
+}
+
+}  // namespace
 
 void Boundaries::list_surfaces(const Member& member) {
   const scree_boundary_instance& instance = member.plugin.instance();
@@ -51,6 +79,7 @@ void Boundaries::list_surfaces(const Member& member) {
       throw Error(fmt::format("boundary plug-in {}, surface {}: {}; correct its parameters, or the plug-in",
                               member.plugin_name(), name, problem));
     surfaces_.shapes.push_back(instance.surfaces[k]);
+    surfaces_.meshes.push_back(mesh_of(instance.surfaces[k], member.plugin_name(), name));
     surfaces_.materials.push_back(member.entry.material);
     surfaces_.names.push_back(name);
   }
@@ -86,7 +115,7 @@ double Boundaries::largest_surface_speed(std::span<const double> reach) const {
     if (member.still()) continue;
     for (std::uint32_t k = 0; k < member.plugin.instance().surface_count; ++k) {
       const std::size_t s = member.first_surface + k;
-      const double speed = speed_of(surfaces_.shapes[s], surfaces_.frames[s], dimension_,
+      const double speed = speed_of(surfaces_, s, dimension_,
                                     s < reach.size() ? reach[s] : std::numeric_limits<double>::infinity());
       if (!std::isfinite(speed)) return std::numeric_limits<double>::infinity();
       largest = std::max(largest, speed);

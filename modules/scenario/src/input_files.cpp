@@ -8,12 +8,12 @@ namespace fs = std::filesystem;
 std::vector<BodyFile> body_files(const document::Document& document, const fs::path& scenario) {
   std::vector<BodyFile> files;
   const fs::path folder = scenario.parent_path();
+  std::error_code failed;
   for (const document::Table& particles : document.root().tables("particles")) {
     const auto add = [&](const document::Table& table, const Key& key, const fs::path& path) {
       files.push_back({table.path() + "." + key.name, path});
     };
     const auto add_file = [&](const document::Table& table, const StringKey& key) {
-      std::error_code failed;
       if (table.is_string(key))
         add(table, key, fs::absolute(folder / read(table, key), failed).lexically_normal());
     };
@@ -24,6 +24,11 @@ std::vector<BodyFile> body_files(const document::Document& document, const fs::p
     if (particles.is_table(particles_keys.springs))
       add_file(particles.table(particles_keys.springs), springs_keys.file);
   }
+  // Of boundaries, only meshes have such a string.
+  for (const document::Table& boundary : document.root().tables("boundary"))
+    if (boundary.is_string("file"))
+      files.push_back({boundary.path() + ".file",
+                       fs::absolute(folder / boundary.string("file"), failed).lexically_normal()});
   return files;
 }
 

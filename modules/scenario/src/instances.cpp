@@ -57,7 +57,7 @@ const Stage::Change& read_instance(const document::Table& table, scree_kind kind
   // First, since the law that the user then chooses has other parameters.
   if (kind == SCREE_CONTACT_LAW)
     placed(table, "plugin", [&] { check_dimension(parameters, scene.dimension); });
-  read_parameters(table, scene.dimension, parameters);
+  read_parameters(table, scene.dimension, instances.read_mesh, parameters);
   check_complete(table, parameters);
   const std::string name = instances.names.add_or_number(table, parameters.plugin().name);
   const Stage::Change& added = instances.all.emplace_back(Stage::Change{kind, name, parameters});
@@ -137,7 +137,7 @@ Stage::Change changed_instance(const document::Table& table, const Stage::Change
                         fmt::format("set it where '{}' is declared", old.name));
   Stage::Change changed = old;
   changed.parameters = kept_parameters(table, old.parameters);
-  read_parameters(table, scene.dimension, changed.parameters);
+  read_parameters(table, scene.dimension, no_mesh, changed.parameters);
   check_complete(table, changed.parameters);
   placed(table, "", [&] { check_instance(changed, scene); });
   if (old.kind == SCREE_BOUNDARY && !same_layout(configured_boundary(old.parameters, scene),

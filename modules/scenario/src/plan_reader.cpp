@@ -143,7 +143,7 @@ void read_time(const document::Table& root, Plan& plan) {
   scene.step = fraction * contact;
 }
 
-// TOML that runs from any folder: with the paths of packings and of a state made absolute.
+// TOML that runs from any folder: with the paths of packings, meshes and of a state made absolute.
 std::string text_for_any_folder(const document::Document& document, const std::filesystem::path& path,
                                 std::vector<std::string> overrides) {
   const std::vector<BodyFile> files = body_files(document, path);
@@ -177,8 +177,10 @@ Plan read(const document::Document& document, const std::filesystem::path& path,
   plan.source = path;
   plan.document = document;
   read_header(root, plan);
-  const std::vector<PackingBox> boxes = read_materials_and_bodies(root, std::move(recorded), plan);
   Instances instances;
+  instances.read_mesh = recorded.boundaries.empty() ? read_meshes_from(path.parent_path())
+                                                    : recorded_meshes(recorded.boundaries);
+  const std::vector<PackingBox> boxes = read_materials_and_bodies(root, std::move(recorded), plan);
   read_contacts(root, host, plan.scene, instances);
   read_boundaries(root, host, instances, plan);
   for (const PackingBox& box : boxes) warn_of_box(box, plan);
@@ -238,7 +240,7 @@ void check_keys(const std::filesystem::path& path, const std::vector<std::string
   const document::Document document = document::Document::load(path, overrides);
   for (Body& body : bodies) body.material = 0;
   try {
-    read(document, path, {std::move(bodies), {}, {}}, host, &studies);
+    read(document, path, {std::move(bodies), {}, {}, {}}, host, &studies);
   } catch (const Error&) {
     return;  // it may fit the bodies of the state
   }

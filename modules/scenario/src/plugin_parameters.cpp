@@ -31,6 +31,7 @@ std::vector<double> read_value(const document::Table& table, const scree_paramet
       return table.numbers(p.key);
     case SCREE_PROGRAM:
       return read_program(table, p.key);
+    case SCREE_MESH_FILE:
     case SCREE_INPUT:
     case SCREE_NUMBER:
       break;
@@ -70,12 +71,14 @@ const scree_plugin& find_plugin(const document::Table& table, scree_kind kind, P
   return placed(table, "plugin", [&]() -> const scree_plugin& { return host.find(name, kind); });
 }
 
-void read_parameters(const document::Table& table, int dimension, Parameters& parameters) {
+void read_parameters(const document::Table& table, int dimension, const MeshReader& read_mesh,
+                     Parameters& parameters) {
   const scree_plugin& plugin = parameters.plugin();
   for (std::uint32_t k = 0; k < plugin.parameter_count; ++k) {
     const scree_parameter& p = plugin.parameters[k];
     if (p.type == SCREE_INPUT || !table.optional(p.key)) continue;
-    std::vector<double> data = read_value(table, p, dimension);
+    std::vector<double> data =
+        p.type == SCREE_MESH_FILE ? read_mesh(table, p.key) : read_value(table, p, dimension);
     if (const auto wrong = Parameters::problem(p, data))
       throw table.error(p.key, fmt::format("{} {}", p.key, wrong->problem()), wrong->cure());
     parameters.set(p.key, std::move(data));

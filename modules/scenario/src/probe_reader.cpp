@@ -135,7 +135,7 @@ void read_probe(ProbeDraft& draft, const std::vector<ProbeDraft>& drafts, const 
   if (!draft.quantities.empty()) return read_derived_probe(draft, drafts, scene, stages);
   const document::Table& t = draft.table;
   ProbePlan& plan = draft.plan;
-  read_parameters(t, scene.dimension, plan.parameters);
+  read_parameters(t, scene.dimension, no_mesh, plan.parameters);
   plan.left_out = read_left_out(t, scene);
   // Without stages there is no run, and no time between samples.
   if (!stages.empty() || t.optional(probe_keys.every))

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -27,6 +28,7 @@
 #include <scree/scenario/study_table.hpp>
 #include <scree/scenario/table_keys.hpp>
 #include <scree/scene.hpp>
+#include <scree/scene_record.hpp>
 #include <scree/stage.hpp>
 
 // The readers of the tables of a scenario; those of one source stand under its name. All throw Error at
@@ -193,13 +195,25 @@ void read_group_motion(const document::Table& group, const std::string& name,
                        const std::vector<std::uint32_t>& bodies, std::vector<freedom::Mask>& moved,
                        Scene& scene);
 
+// mesh_reader.cpp
+
+// The numbers of a mesh whose file the key of a table names.
+using MeshReader = std::function<std::vector<double>(const document::Table& table, const char* key)>;
+// Reads files relative to a folder.
+MeshReader read_meshes_from(const std::filesystem::path& folder);
+// Takes the mesh of each boundary, in their order, from the record of a run instead.
+MeshReader recorded_meshes(const std::vector<RecordedPlugin>& boundaries);
+// For tables that have none.
+std::vector<double> no_mesh(const document::Table& table, const char* key);
+
 // plugin_parameters.cpp
 
 // The plug-in that the key `plugin` of the table names.
 const scree_plugin& find_plugin(const document::Table& table, scree_kind kind, PluginHost& host);
 // Copies the keys of a table that the plug-in declares to `parameters`; other keys, and columns of other
 // probes, are left for the caller.
-void read_parameters(const document::Table& table, int dimension, Parameters& parameters);
+void read_parameters(const document::Table& table, int dimension, const MeshReader& read_mesh,
+                     Parameters& parameters);
 // Throws Error at the table unless all required parameters are given.
 void check_complete(const document::Table& table, const Parameters& parameters);
 
@@ -217,6 +231,7 @@ std::vector<double> read_program_of(const document::Table& function, const std::
 struct Instances {
   std::vector<Stage::Change> all;
   UniqueNames names{"law, boundary or force"};
+  MeshReader read_mesh = no_mesh;
 };
 // Reads one table of [[contact]], [[boundary]] or [[body_force]], checks it and adds it to the instances. The
 // scene must have its bodies already.

@@ -1,3 +1,4 @@
+#include "meshes.hpp"
 #include "over_ranks.hpp"
 #include "sanitized.hpp"
 
@@ -19,8 +20,9 @@ namespace {
 constexpr double hollow = 8.12, lid = 20;  // the outermost spheres touch each of them from the start
 constexpr int steps_of_drum = sanitized ? 30 : 150;
 
-// Spheres that fill a turning drum with two end plates, one of which turns alone; of several tiles.
-Scene drum_of_spheres() {
+// Spheres that fill a turning drum with two end plates, one of which turns alone; of several tiles. The mantle is
+// a cylinder or a mesh with its lower plate, whose edge is touched twice.
+Scene drum_of_spheres(bool mesh) {
   std::vector<Body> bodies;
   for (int x = -7; x <= 7; ++x)
     for (int y = -7; y <= 7; ++y)
@@ -37,12 +39,22 @@ Scene drum_of_spheres() {
                    {"restitution", {0.6}},
                    {"tangential_stiffness", {800}},
                    {"static_friction", {0.4}}});
-  add_boundary(
-      s, "cylinder",
-      {{"point", {0, 0, 0}}, {"axis", {0, 0, 1}}, {"radius", {hollow}}, {"side", {2}}, {"spin", {0.5}}},
-      "mantle");
-  add_boundary(s, "disc",
-               {{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}, {"radius", {hollow}}, {"spin", {0.5}}}, "low");
+  if (mesh) {
+    Mesh pot = cylinder_mesh(hollow, 10.5, 90, 12);
+    pot.points.push_back({{0, 0, -10.5}});
+    for (std::size_t i = 0; i < 90; ++i) pot.add(i, (i + 1) % 90, pot.points.size() - 1);
+    add_boundary(
+        s, "mesh",
+        {{"file", pot.numbers()}, {"translation", {0, 0, 10.5}}, {"spin", {0.5}}, {"spin_axis", {0, 0, 1}}},
+        "pot");
+  } else {
+    add_boundary(
+        s, "cylinder",
+        {{"point", {0, 0, 0}}, {"axis", {0, 0, 1}}, {"radius", {hollow}}, {"side", {2}}, {"spin", {0.5}}},
+        "mantle");
+    add_boundary(s, "disc",
+                 {{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}, {"radius", {hollow}}, {"spin", {0.5}}}, "low");
+  }
   add_boundary(s, "disc",
                {{"point", {0, 0, lid}}, {"normal", {0, 0, -1}}, {"radius", {hollow}}, {"spin", {-2}}},
                "high");
@@ -67,8 +79,8 @@ struct TurnedDrum {
   bool operator==(const TurnedDrum&) const = default;
 };
 
-TurnedDrum turned_drum(unsigned threads, Ranks* ranks) {
-  Scene scene = drum_of_spheres();
+TurnedDrum turned_drum(bool mesh, unsigned threads, Ranks* ranks) {
+  Scene scene = drum_of_spheres(mesh);
   scene.threads = threads;
   Simulation s(scene, ranks);
   s.run(steps_of_drum, [] { return true; });
@@ -81,15 +93,18 @@ TurnedDrum turned_drum(unsigned threads, Ranks* ranks) {
 }  // namespace
 
 TEST_CASE("surfaces that turn give the same bits on any number of threads and ranks", "[ranks]") {
-  REQUIRE(drum_of_spheres().bodies.size() >= 3 * 1024);
-  const TurnedDrum expected = turned_drum(1, nullptr);
-  REQUIRE(expected.loads.size() == 4 * 6);
-  for (std::size_t surface = 0; surface < 3; ++surface) CHECK(expected.loads[6 * surface + 5] != 0);
-  CHECK(turned_drum(3, nullptr) == expected);
-  for (const bool at_random : {false, true})
-    for (const unsigned count : {2u, 3u})
-      over_ranks(count, at_random, [&](Ranks& ranks) {
-        INFO(count << " ranks, tiles at random " << at_random);
-        CHECK(turned_drum(1, &ranks) == expected);
-      });
+  for (const bool mesh : {false, true}) {
+    REQUIRE(drum_of_spheres(mesh).bodies.size() >= 3 * 1024);
+    const TurnedDrum expected = turned_drum(mesh, 1, nullptr);
+    REQUIRE(expected.loads.size() == (mesh ? 3 : 4) * 6);
+    for (std::size_t surface = 0; surface < (mesh ? 2 : 3); ++surface)
+      CHECK(expected.loads[6 * surface + 5] != 0);
+    CHECK(turned_drum(mesh, 3, nullptr) == expected);
+    for (const bool at_random : {false, true})
+      for (const unsigned count : {2u, 3u})
+        over_ranks(count, at_random, [&](Ranks& ranks) {
+          INFO(count << " ranks, tiles at random " << at_random << ", mesh " << mesh);
+          CHECK(turned_drum(mesh, 1, &ranks) == expected);
+        });
+  }
 }

@@ -23,18 +23,18 @@ struct ShapeCase {
 };
 
 const std::vector<ShapeCase> shape_cases = {
-    {"rectangle", 3, {SCREE_FLAT, SCREE_BOTH_SIDES, {0.7, 0.4}}},
-    {"strip", 3, {SCREE_FLAT, SCREE_BOTH_SIDES, {0.7, 50}}},
-    {"tube", 3, {SCREE_REVOLVED, SCREE_BOTH_SIDES, {0.8, -0.6, 0.8, 0.7}}},
-    {"funnel", 3, {SCREE_REVOLVED, SCREE_BOTH_SIDES, {0.2, -0.5, 0.9, 0.6}}},
-    {"cone", 3, {SCREE_REVOLVED, SCREE_BOTH_SIDES, {0.9, -0.5, 0, 0.6}}},
-    {"ring", 3, {SCREE_REVOLVED, SCREE_BOTH_SIDES, {0.9, 0.1, 0.3, 0.1}}},
-    {"ball", 3, {SCREE_BALL, SCREE_BOTH_SIDES, {0.8, -infinite, infinite}}},
-    {"bowl", 3, {SCREE_BALL, SCREE_BOTH_SIDES, {0.8, -infinite, 0.3}}},
-    {"zone", 3, {SCREE_BALL, SCREE_BOTH_SIDES, {0.8, -0.2, 0.5}}},
-    {"segment", 2, {SCREE_FLAT, SCREE_BOTH_SIDES, {0.6}}},
-    {"circle", 2, {SCREE_BALL, SCREE_BOTH_SIDES, {0.7, -infinite, infinite}}},
-    {"arc", 2, {SCREE_BALL, SCREE_BOTH_SIDES, {0.7, -infinite, 0.2}}},
+    {"rectangle", 3, {SCREE_FLAT, SCREE_BOTH_SIDES, {0.7, 0.4}, nullptr, 0}},
+    {"strip", 3, {SCREE_FLAT, SCREE_BOTH_SIDES, {0.7, 50}, nullptr, 0}},
+    {"tube", 3, {SCREE_REVOLVED, SCREE_BOTH_SIDES, {0.8, -0.6, 0.8, 0.7}, nullptr, 0}},
+    {"funnel", 3, {SCREE_REVOLVED, SCREE_BOTH_SIDES, {0.2, -0.5, 0.9, 0.6}, nullptr, 0}},
+    {"cone", 3, {SCREE_REVOLVED, SCREE_BOTH_SIDES, {0.9, -0.5, 0, 0.6}, nullptr, 0}},
+    {"ring", 3, {SCREE_REVOLVED, SCREE_BOTH_SIDES, {0.9, 0.1, 0.3, 0.1}, nullptr, 0}},
+    {"ball", 3, {SCREE_BALL, SCREE_BOTH_SIDES, {0.8, -infinite, infinite}, nullptr, 0}},
+    {"bowl", 3, {SCREE_BALL, SCREE_BOTH_SIDES, {0.8, -infinite, 0.3}, nullptr, 0}},
+    {"zone", 3, {SCREE_BALL, SCREE_BOTH_SIDES, {0.8, -0.2, 0.5}, nullptr, 0}},
+    {"segment", 2, {SCREE_FLAT, SCREE_BOTH_SIDES, {0.6}, nullptr, 0}},
+    {"circle", 2, {SCREE_BALL, SCREE_BOTH_SIDES, {0.7, -infinite, infinite}, nullptr, 0}},
+    {"arc", 2, {SCREE_BALL, SCREE_BOTH_SIDES, {0.7, -infinite, 0.2}, nullptr, 0}},
 };
 
 // A point of a surface by two parameters in [0, 1].
@@ -149,14 +149,14 @@ TEST_CASE("curvature is how a surface bends away from its tangent plane", "[surf
     for (const double part : {1.0, 0.4}) {
       const Vec3 x = part * out;
       INFO(c.name << " at " << part);
-      CHECK(bend_of(c, x) == Approx(nearest(c, x).curvature).epsilon(0.05));
+      CHECK(bend_of(c, x) == Approx(nearest(c, x).curvature[0]).epsilon(0.05));
     }
   }
 }
 
 TEST_CASE("shapes that are none are named", "[surfaces]") {
   const auto problem = [](std::uint32_t shape, std::vector<double> size, int dimension = 3) {
-    scree_surface surface = {shape, SCREE_BOTH_SIDES, {}};
+    scree_surface surface = {shape, SCREE_BOTH_SIDES, {}, nullptr, 0};
     std::copy(size.begin(), size.end(), surface.size);
     return std::string(problem_of(surface, dimension));
   };

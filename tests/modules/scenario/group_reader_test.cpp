@@ -258,6 +258,6 @@ TEST_CASE("a run that goes on has the fixed bodies of its start, whatever lies i
   std::vector<Body> bodies = plan_of(text).scene.bodies;
   for (Body& body : bodies) body.position[1] += 1;
   const std::vector<Body> again =
-      scenario::read_plan_again(text, "scene.toml", {}, {bodies, {}, {}}, host()).scene.bodies;
+      scenario::read_plan_again(text, "scene.toml", {}, {bodies, {}, {}, {}}, host()).scene.bodies;
   for (std::size_t i = 0; i < bodies.size(); ++i) CHECK(again[i].fixed == bodies[i].fixed);
 }

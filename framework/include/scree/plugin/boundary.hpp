@@ -52,15 +52,20 @@ struct Surface : scree_surface {
 
   // In the plane z = 0, or in 2D on the line y = 0, with half lengths (m) that may be infinite.
   static Surface flat(double along_x, double along_y, scree_side side) {
-    return {{SCREE_FLAT, std::uint32_t(side), {along_x, along_y}}};
+    return {{SCREE_FLAT, std::uint32_t(side), {along_x, along_y}, nullptr, 0}};
   }
   // The line from (radius, z) to another one (m), turned about z.
   static Surface revolved(double radius, double z, double end_radius, double end_z, scree_side side) {
-    return {{SCREE_REVOLVED, std::uint32_t(side), {radius, z, end_radius, end_z}}};
+    return {{SCREE_REVOLVED, std::uint32_t(side), {radius, z, end_radius, end_z}, nullptr, 0}};
   }
   // The part of a sphere, in 2D of a circle, between two heights (m) along z, in 2D along y.
   static Surface ball(double radius, double low, double high, scree_side side) {
-    return {{SCREE_BALL, std::uint32_t(side), {radius, low, high}}};
+    return {{SCREE_BALL, std::uint32_t(side), {radius, low, high}, nullptr, 0}};
+  }
+  // Triangles, by the value of a parameter Declaration::mesh. smooth_angle: (rad) below which two spots count as
+  // one.
+  static Surface mesh(const scree_value& triangles, double scale, double smooth_angle, scree_side side) {
+    return {{SCREE_MESH, std::uint32_t(side), {scale, smooth_angle}, triangles.data, triangles.count}};
   }
 };
 

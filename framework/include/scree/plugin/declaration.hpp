@@ -112,6 +112,11 @@ class Declaration {
     if (const scree_value* value = next()) member = Program(*value);
     return add(SCREE_PROGRAM, key, unit, doc, 0, range);
   }
+  // A file with triangles; the member becomes a view of their numbers, see SCREE_MESH_FILE.
+  Entry mesh(const char* key, scree_value& member, const char* doc) {
+    if (const scree_value* value = next()) member = *value;
+    return add(SCREE_MESH_FILE, key, "", doc, 0, any_number);
+  }
   // A column of another probe; of probes only.
   Entry input(const char* key, InputColumn& member, const char* doc) {
     if (const scree_value* value = next()) {

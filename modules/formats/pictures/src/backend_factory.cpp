@@ -1,5 +1,6 @@
 #include "files/frame_check.hpp"
 #include "files/frame_transfer.hpp"
+#include "files/mesh_file.hpp"
 #include "files/png_file.hpp"
 #include "files/pvd_index.hpp"
 #include "files/vtp.hpp"
@@ -26,6 +27,7 @@ class VtkBackend final : public SnapshotBackend {
   void write_frame(const Frame& frame, const std::filesystem::path& directory) override {
     check_columns(frame);
     add_to_series(directory, frame_kinds[0], frame, contacts_vtp(frame));
+    if (!frame.surfaces.empty()) add_to_series(directory, surface_kind, frame, surfaces_vtp(frame));
     add_to_series(directory, frame_kinds[1], frame, particles_vtp(frame));
   }
 
@@ -42,6 +44,8 @@ class VtkBackend final : public SnapshotBackend {
                      const std::filesystem::path& png_file) override {
     write_png(arrow_picture(context_, frame, arrows, options), png_file);
   }
+
+  std::vector<double> read_mesh(const std::filesystem::path& file) override { return read_mesh_file(file); }
 
   Picture read_png(const std::filesystem::path& png_file) override { return pictures::read_png(png_file); }
 

@@ -5,6 +5,7 @@
 #include <scree/pictures/view_range.hpp>
 #include <scree/run/frame_of.hpp>
 #include <scree/run/run_in_memory.hpp>
+#include <scree/surface_outline.hpp>
 
 namespace scree::run {
 
@@ -54,10 +55,11 @@ void add_table_row(const Simulation& s, const ContactList& list, std::size_t c, 
   const bool wall = b >= p.size();
   frame.contact_a.push_back(p.id[a]);
   frame.contact_b.push_back(wall ? -1 : p.id[b]);
-  // Among the walls of the frame, which has no absent ones and no surfaces.
+  // Among the walls of the frame, which has no absent ones, and then the surfaces.
   const auto first = s.absent_planes().begin();
-  const bool plane = wall && b - p.size() < s.planes().size();
-  frame.contact_wall.push_back(plane ? std::int32_t(std::count(first, first + (b - p.size()), 0)) : -1);
+  const std::size_t number = wall ? b - p.size() : 0, planes = std::min(number, s.planes().size());
+  frame.contact_wall.push_back(
+      wall ? std::int32_t(std::count(first, first + planes, 0)) + std::int32_t(number - planes) : -1);
   const double arm = p.radius()[a] - 0.5 * list.overlap[c];
   for (std::size_t k = 0; k < 3; ++k) {
     const double n = list.normal[3 * c + k];
@@ -93,6 +95,24 @@ void add_contacts(const Simulation& s, pictures::Frame& frame) {
   }
 }
 
+SurfaceOutline outline(const Simulation& s, std::size_t surface, const SceneBox& box) {
+  const auto corner = [](const std::array<double, 3>& x) { return Vec3{{x[0], x[1], x[2]}}; };
+  return outline_of(s.surfaces(), surface, s.dimension(), corner(box.lower), corner(box.upper));
+}
+
+void add_surfaces(const Simulation& s, const SceneBox& box, pictures::Frame& frame) {
+  for (std::size_t k = 0; k < s.surfaces().size(); ++k) {
+    const SurfaceOutline shape = outline(s, k, box);
+    pictures::Surface& surface = frame.surfaces.emplace_back();
+    surface.name = s.surfaces().names[k];
+    for (const Vec3& p : shape.points)
+      surface.points.insert(surface.points.end(), p.component, p.component + 3);
+    surface.cells = shape.cells;
+    std::copy_n(s.surfaces().loads[k].force, 3, surface.force.begin());
+    std::copy_n(s.surfaces().loads[k].torque, 3, surface.torque.begin());
+  }
+}
+
 }  // namespace
 
 SceneBox scene_box(const Simulation& s) {
@@ -114,6 +134,15 @@ SceneBox scene_box(const Simulation& s) {
       low = std::min(low, domain.lower[int(k)]), high = std::max(high, domain.upper[int(k)]);
     box.lower[k] = low, box.upper[k] = high;
   }
+  // What of surfaces is near enough.
+  const SceneBox without = box;
+  for (std::size_t surface = 0; surface < s.surfaces().size(); ++surface)
+    for (const Vec3& point : outline(s, surface, without).points)
+      for (std::size_t k = 0; k < std::size_t(s.dimension()); ++k)
+        if (pictures::within_view(point[int(k)], bodies.lower[int(k)], bodies.upper[int(k)], extent)) {
+          box.lower[k] = std::min(box.lower[k], point[int(k)]);
+          box.upper[k] = std::max(box.upper[k], point[int(k)]);
+        }
   return box;
 }
 
@@ -156,6 +185,7 @@ pictures::Frame frame_of(const Simulation& s, const std::string& title, const Sc
                            {plane.point[0], plane.point[1], plane.point[2]},
                            {plane.normal[0], plane.normal[1], plane.normal[2]}});
   }
+  add_surfaces(s, box, frame);
   frame.lower = box.lower;
   frame.upper = box.upper;
   return frame;

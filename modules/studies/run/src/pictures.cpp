@@ -76,9 +76,12 @@ void Pictures::finish() {
 void Pictures::write_snapshot(const Simulation& s) {
   if (s.steps() == last_snapshot_) return;
   last_snapshot_ = s.steps();
-  for (const char* kind : pictures::frame_kinds)
-    directory_.add("snapshots/" + pictures::frame_file(kind, s.steps())),
-        directory_.add("snapshots/" + pictures::frame_index(kind));
+  const auto add_kind = [&](const char* kind) {
+    directory_.add("snapshots/" + pictures::frame_file(kind, s.steps()));
+    directory_.add("snapshots/" + pictures::frame_index(kind));
+  };
+  for (const char* kind : pictures::frame_kinds) add_kind(kind);
+  if (s.surfaces().size() > 0) add_kind(pictures::surface_kind);
   write([this, frame = frame_of(s, plan_.title, scene_box(s), plan_.snapshot.picture.color_by)] {
     backend().write_frame(frame, directory_.path() / "snapshots");
   });

@@ -49,6 +49,7 @@ std::map<std::string, std::string> body_paths(const Document& document) {
   const auto add = [&](const document::Table& table, const char* key) {
     if (table.is_string(key)) paths[fmt::format("{}.{}", table.path(), key)] = table.string(key);
   };
+  for (const document::Table& boundary : document.root().tables("boundary")) add(boundary, "file");
   for (const document::Table& particles : document.root().tables("particles")) {
     for (const char* key : {"file", "state"}) add(particles, key);
     if (particles.is_table("springs")) add(particles.table("springs"), "file");

@@ -11,6 +11,7 @@
 #include <scree/run/set_up.hpp>
 #include <scree/run/step_check.hpp>
 #include <scree/run/warnings.hpp>
+#include <scree/surface_checks.hpp>
 
 namespace scree::run {
 
@@ -107,6 +108,7 @@ std::vector<std::string> start_warnings(const scenario::Plan& plan, const Simula
   std::vector<std::string> warnings = plan.warnings;
   if (const auto step = step_warning(s)) warnings.push_back(*step);
   warnings.insert(warnings.end(), s.let_go().begin(), s.let_go().end());
+  for (std::string& line : mesh_warnings(s.surfaces(), s.particles())) warnings.push_back(std::move(line));
   add_integrator_warning(s.scene(), warnings);
   add_grazing_warning(s, warnings);
   add_cut_warning(plan.snapshot, s, warnings);

@@ -19,7 +19,10 @@ typedef enum scree_type {
   SCREE_VECTOR = 4,  /* `dimension` doubles, padded with zeros to 3 */
   SCREE_LIST = 5,    /* any number of doubles */
   SCREE_PROGRAM = 6, /* a function of time: see program.hpp */
-  SCREE_INPUT = 7    /* of probes: its number in scree_setup.inputs; see input_column.hpp */
+  SCREE_INPUT = 7,   /* of probes: its number in scree_setup.inputs; see input_column.hpp */
+  SCREE_MESH_FILE =
+      8 /* the name of a file with triangles, which the host reads: the number of points, their coordinates,
+                         and the numbers of the three points of each triangle, counted from 0 */
 } scree_type;
 
 enum {

@@ -11,7 +11,8 @@ extern "C" {
 enum scree_shape {
   SCREE_FLAT = 0,     /* in the plane z = 0; in 2D on the line y = 0 */
   SCREE_REVOLVED = 1, /* a straight line that is turned about the axis z: cylinder, cone, disc, ring; 3D */
-  SCREE_BALL = 2      /* a sphere about the origin; in 2D a circle */
+  SCREE_BALL = 2,     /* a sphere about the origin; in 2D a circle */
+  SCREE_MESH = 3      /* triangles; 3D */
 };
 
 /* From which side bodies touch a surface. With one side they are pushed back to it even if their centre has passed the
@@ -27,10 +28,16 @@ enum scree_side {
  *   SCREE_REVOLVED  radius and z of the start of the line, radius and z of its end: radii >= 0 and finite, z of the end not
  *                   below z of the start; both z may be infinite if the radii are equal. If z are equal, `outside`
  *                   is z > 0 if the radius decreases from start to end
- *   SCREE_BALL      radius, and limits along z, in 2D along y, which may be infinite */
+ *   SCREE_BALL      radius, and limits along z, in 2D along y, which may be infinite
+ *   SCREE_MESH      factor of its points, and the angle (rad) below which two spots count as one, as seen from the centre
+ *                   of a body. A body touches a mesh in each spot where the distance has a local minimum. `outside` is
+ *                   where the corners of a triangle run anticlockwise; a mesh with one side must be closed */
 typedef struct scree_surface {
   uint32_t shape, side;
   double size[4];
+  const double*
+      mesh; /* (optional) of SCREE_MESH: numbers as of a parameter of the type SCREE_MESH_FILE, which the host copies */
+  uint64_t mesh_size; /* number of them */
 } scree_surface;
 
 /* Where the frame of a surface is, and how it moves. */

@@ -51,6 +51,15 @@ void check_columns(const Frame& frame) {
   check_length("contact_normal", frame.contact_normal, 3 * c, true);
   check_length("contact_force", frame.contact_force, 3 * c, true);
   check_length("contact_point", frame.contact_point, 3 * c, true);
+  for (const Surface& surface : frame.surfaces) {
+    const std::size_t corners = std::size_t(frame.dimension), points = surface.points.size() / 3;
+    check_length("points of a surface", surface.points, 3 * points, false);
+    check_length("cells of a surface", surface.cells, surface.cells.size() / corners * corners, false);
+    for (const std::uint32_t point : surface.cells)
+      if (point >= points)
+        throw Error(fmt::format("frame: surface {} has a cell with point {} of {}; give indices of points",
+                                surface.name, point, points));
+  }
 }
 
 void check_drawable(const Frame& frame) {
@@ -59,6 +68,7 @@ void check_drawable(const Frame& frame) {
   check_finite("contact_from", frame.contact_from, 3);
   check_finite("contact_to", frame.contact_to, 3);
   check_finite("contact_normal_force", frame.contact_normal_force, 1);
+  for (const Surface& surface : frame.surfaces) check_finite("points of a surface", surface.points, 3);
 }
 
 }  // namespace scree::pictures

@@ -1,13 +1,10 @@
 #include "frame_transfer.hpp"
 
+#include "read_apart.hpp"
 #include "vtp.hpp"
 
-#include <algorithm>
 #include <cstring>
-#include <fstream>
 #include <stdexcept>
-#include <sys/resource.h>
-#include <unistd.h>
 
 #include <fmt/format.h>
 
@@ -69,70 +66,34 @@ void transfer(Packing& packing, Frame& f) {
     packing.raw(&wall.point, sizeof(wall.point));
     packing.raw(&wall.normal, sizeof(wall.normal));
   }
-}
-
-void limit(int resource, rlim_t most) {
-  rlimit now = {};
-  getrlimit(__rlimit_resource_t(resource), &now);
-  now.rlim_cur = std::min(most, now.rlim_max);
-  setrlimit(__rlimit_resource_t(resource), &now);
-}
-
-// Memory (bytes) that the process has already allocated.
-[[maybe_unused]] rlim_t allocated() {
-  std::ifstream file("/proc/self/statm");
-  rlim_t total = 0, resident = 0, shared = 0, text = 0, library = 0, data = 0;
-  file >> total >> resident >> shared >> text >> library >> data;
-  return file ? data * rlim_t(sysconf(_SC_PAGESIZE)) : 0;
-}
-
-// Ten times what files that a run has written need.
-void limit_resources(std::uintmax_t file_size) {
-  limit(RLIMIT_CPU, 4 + file_size / 1'000'000);
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-  limit(RLIMIT_DATA, allocated() + (rlim_t(2) << 30) + 200 * file_size);
-#endif
-}
-
-void send_frame(const std::filesystem::path& file, const Send& send) {
-  std::error_code failed;
-  const std::uintmax_t size = std::filesystem::file_size(file, failed);
-  limit_resources(failed ? 0 : size);
-  try {
-    Frame frame = read_vtp(file);
-    Packer packer;
-    transfer(packer, frame);
-    send(packer.bytes);
-  } catch (const Error&) {
-    throw;
-  } catch (...) {  // VTK, of a damaged file
-    _exit(1);
+  transfer_size(packing, f.surfaces);
+  for (Surface& surface : f.surfaces) {
+    columns(surface.name, surface.points, surface.cells);
+    packing.raw(&surface.force, sizeof(surface.force));
+    packing.raw(&surface.torque, sizeof(surface.torque));
   }
-}
-
-Error damaged(const std::filesystem::path& file) {
-  return Error(
-      fmt::format("{}: is damaged; give a particles_<step>.vtp file that a run has written, with its "
-                  "contacts file as it was",
-                  file.string()));
 }
 
 }  // namespace
 
 Frame read_vtp_apart(const std::filesystem::path& file) {
-  const ChildEnd end = in_child([&](const Send& send) { send_frame(file, send); });
-  if (end.how == ChildEnd::not_started)
-    throw Error(fmt::format("{}: cannot be read ({}); end other processes", file.string(), end.text()),
-                ExitStatus::failure);
-  if (end.how == ChildEnd::threw) throw Error(end.exception);
-  if (end.how != ChildEnd::returned) throw damaged(file);
+  const Error damaged(
+      fmt::format("{}: is damaged; give a particles_<step>.vtp file that a run has written, with its "
+                  "contacts file as it was",
+                  file.string()));
+  const std::string sent = read_apart(file, damaged, [&](const Send& send) {
+    Frame frame = read_vtp(file);
+    Packer packer;
+    transfer(packer, frame);
+    send(packer.bytes);
+  });
   try {
     Frame frame;
-    Unpacker unpacker{end.sent};
+    Unpacker unpacker{sent};
     transfer(unpacker, frame);
     return frame;
   } catch (const std::length_error&) {
-    throw damaged(file);
+    throw damaged;
   }
 }
 

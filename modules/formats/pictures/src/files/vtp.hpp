@@ -10,8 +10,9 @@ namespace scree::pictures {
 // The content of a VTK XML PolyData file: valid XML with compressed binary arrays.
 std::string particles_vtp(const Frame& frame);
 std::string contacts_vtp(const Frame& frame);
+std::string surfaces_vtp(const Frame& frame);
 
-// Reads a particles .vtp file and the contacts file in the same directory, if any. Throws scree::Error.
+// Reads a particles .vtp file and the contacts and surfaces files in the same directory, if any. Throws scree::Error.
 Frame read_vtp(const std::filesystem::path& particles_file);
 
 // Names of the arrays in the files.
@@ -38,6 +39,10 @@ inline constexpr const char* body_b = "body_b";
 inline constexpr const char* wall = "wall";
 inline constexpr const char* normal = "normal";
 inline constexpr const char* point = "point";  // the force has the name of that of bodies
+
+inline constexpr const char* surface = "surface";  // of each cell, an index into the names
+inline constexpr const char* surface_name = "surface_name";
+inline constexpr const char* torque = "torque";
 
 inline constexpr const char* time = "TimeValue";  // the name that ParaView expects
 inline constexpr const char* step = "step";

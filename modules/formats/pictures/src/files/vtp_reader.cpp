@@ -3,6 +3,7 @@
 #include "vtp.hpp"
 
 #include <fmt/format.h>
+#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
@@ -15,6 +16,7 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include <scree/error.hpp>
+#include <scree/pictures/frame_files.hpp>
 
 namespace scree::pictures {
 namespace {
@@ -118,6 +120,28 @@ void read_contacts(vtkPolyData* data, Frame& frame) {
   frame.contact_point = column<double>(columns, vtp::point);
 }
 
+// Each surface with all points of the file.
+void read_surfaces(vtkPolyData* data, Frame& frame) {
+  const std::vector<std::string> names = strings(data->GetFieldData(), vtp::surface_name);
+  const auto number = column<std::int32_t>(data->GetCellData(), vtp::surface);
+  const auto force = column<double>(data->GetCellData(), vtp::force),
+             torque = column<double>(data->GetCellData(), vtp::torque);
+  for (const std::string& name : names) frame.surfaces.push_back({name, coordinates(data), {}, {}, {}});
+  vtkCellArray* const cells = frame.dimension == 2 ? data->GetLines() : data->GetPolys();
+  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell) {
+    vtkIdType count = 0;
+    const vtkIdType* corner = nullptr;
+    cells->GetCellAtId(cell, count, corner);
+    const auto c = std::size_t(cell);
+    if (c >= number.size() || number[c] < 0 || std::size_t(number[c]) >= names.size() ||
+        count != frame.dimension)
+      continue;
+    Surface& surface = frame.surfaces[std::size_t(number[c])];
+    surface.cells.insert(surface.cells.end(), corner, corner + count);
+    surface.force = triple(force, c), surface.torque = triple(torque, c);
+  }
+}
+
 double read_time(vtkFieldData* fields, const std::filesystem::path& particles_file) {
   const auto time = column<double>(fields, vtp::time);
   if (!time.empty()) return time[0];
@@ -144,6 +168,8 @@ Frame read_vtp(const std::filesystem::path& particles_file) {
   if (!name.starts_with(prefix)) return frame;
   const auto contacts_file = particles_file.parent_path() / ("contacts" + name.substr(prefix.size()));
   if (std::filesystem::exists(contacts_file)) read_contacts(read_poly_data(contacts_file), frame);
+  const auto surfaces_file = particles_file.parent_path() / (surface_kind + name.substr(prefix.size()));
+  if (std::filesystem::exists(surfaces_file)) read_surfaces(read_poly_data(surfaces_file), frame);
   return frame;
 }
 

@@ -148,4 +148,39 @@ std::string contacts_vtp(const Frame& frame) {
   return serialise(data);
 }
 
+// Forces and torques are those of all contacts of a surface, the same in all its cells.
+std::string surfaces_vtp(const Frame& frame) {
+  const vtkIdType corners = frame.dimension;
+  vtkNew<vtkPolyData> data;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> cells;
+  std::vector<std::int32_t> number;
+  std::vector<double> force, torque;
+  std::vector<std::string> names;
+  for (const Surface& s : frame.surfaces) {
+    const vtkIdType first = points->GetNumberOfPoints();
+    for (std::size_t p = 0; p + 3 <= s.points.size(); p += 3) points->InsertNextPoint(s.points.data() + p);
+    for (std::size_t c = 0; c < s.cells.size(); ++c) {
+      if (c % std::size_t(corners) == 0) {
+        cells->InsertNextCell(int(corners));
+        number.push_back(std::int32_t(names.size()));
+        force.insert(force.end(), s.force.begin(), s.force.end());
+        torque.insert(torque.end(), s.torque.begin(), s.torque.end());
+      }
+      cells->InsertCellPoint(first + s.cells[c]);
+    }
+    names.push_back(s.name);
+  }
+  data->SetPoints(points);
+  frame.dimension == 2 ? data->SetLines(cells) : data->SetPolys(cells);
+  vtkCellData* columns = data->GetCellData();
+  add_column<vtkTypeInt32Array>(columns, vtp::surface, number);
+  add_column<vtkDoubleArray>(columns, vtp::force, force, 3);
+  add_column<vtkDoubleArray>(columns, vtp::torque, torque, 3);
+  add_strings(data->GetFieldData(), vtp::surface_name, names);
+  add_scene(data->GetFieldData(), frame);
+  return serialise(data);
+}
+
 }  // namespace scree::pictures

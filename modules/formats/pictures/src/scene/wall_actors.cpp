@@ -7,6 +7,8 @@
 #include <vector>
 
 #include <vtkCellArray.h>
+#include <vtkCleanPolyData.h>
+#include <vtkFeatureEdges.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -14,6 +16,15 @@
 
 namespace scree::pictures {
 namespace {
+
+void set_face_look(vtkProperty* face) {
+  face->SetColor(0.55, 0.62, 0.70);
+  face->SetOpacity(0.22);
+}
+void set_edge_look(vtkProperty* edge, double pixels) {
+  edge->SetColor(0.25, 0.28, 0.32);
+  edge->SetLineWidth(float(pixels));
+}
 
 // Part of the plane around the box, larger than the box.
 std::vector<Point> wide_patch(const Wall& wall, const SceneBox& box, int dimension) {
@@ -52,6 +63,40 @@ std::vector<Point> wall_outline(const Frame& frame, std::size_t index, const Sce
   return outline;
 }
 
+// Surfaces of any shape: translucent, with lines where they end or bend sharply, in 2D as lines.
+void add_surfaces(vtkRenderer* renderer, const Frame& frame, int pixel_scale) {
+  constexpr double sharp_degrees = 20;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> cells;
+  for (const Surface& surface : frame.surfaces) {
+    const vtkIdType first = points->GetNumberOfPoints();
+    for (std::size_t p = 0; p + 3 <= surface.points.size(); p += 3)
+      points->InsertNextPoint(surface.points.data() + p);
+    for (std::size_t c = 0; c < surface.cells.size(); ++c) {
+      if (c % std::size_t(frame.dimension) == 0) cells->InsertNextCell(frame.dimension);
+      cells->InsertCellPoint(first + surface.cells[c]);
+    }
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  if (frame.dimension == 2) {
+    data->SetLines(cells);
+    return set_edge_look(add_flat_actor(renderer, data), 3 * pixel_scale);
+  }
+  data->SetPolys(cells);
+  vtkNew<vtkCleanPolyData> joined;
+  joined->SetInputData(data);
+  vtkNew<vtkFeatureEdges> edges;
+  edges->SetInputConnection(joined->GetOutputPort());
+  edges->SetFeatureAngle(sharp_degrees);
+  edges->ColoringOff();
+  edges->NonManifoldEdgesOff();
+  edges->Update();
+  set_face_look(add_flat_actor(renderer, data));
+  set_edge_look(add_flat_actor(renderer, edges->GetOutput()), 1.5 * pixel_scale);
+}
+
 }  // namespace
 
 void add_walls(vtkRenderer* renderer, const Frame& frame, const SceneBox& box, const ViewAxes& axes,
@@ -77,12 +122,9 @@ void add_walls(vtkRenderer* renderer, const Frame& frame, const SceneBox& box, c
   face_data->SetPolys(faces);
   edge_data->SetPoints(points);
   edge_data->SetLines(edges);
-  vtkProperty* face = add_flat_actor(renderer, face_data);
-  face->SetColor(0.55, 0.62, 0.70);
-  face->SetOpacity(0.22);
-  vtkProperty* edge = add_flat_actor(renderer, edge_data);
-  edge->SetColor(0.25, 0.28, 0.32);
-  edge->SetLineWidth(float((frame.dimension == 2 ? 3.0 : 1.5) * pixel_scale));
+  set_face_look(add_flat_actor(renderer, face_data));
+  set_edge_look(add_flat_actor(renderer, edge_data), (frame.dimension == 2 ? 3.0 : 1.5) * pixel_scale);
+  if (!frame.surfaces.empty()) add_surfaces(renderer, frame, pixel_scale);
 }
 
 }  // namespace scree::pictures

@@ -14,6 +14,15 @@ struct Wall {
   std::array<double, 3> normal{};  // unit vector, towards the particles
 };
 
+// A wall of another shape, as triangles, in 2D as segments.
+struct Surface {
+  std::string name;
+  std::vector<double> points;        // (m) (3P)
+  std::vector<std::uint32_t> cells;  // three points of each triangle, in 2D two of each segment
+  std::array<double, 3> force{};     // (N) of all contacts
+  std::array<double, 3> torque{};    // (N m) about the origin of its frame
+};
+
 // State of a scene at one time, as columns; N particles, C contacts. In 2D every z component is 0. id, radius
 // and position always have N entries; the other particle columns have N entries, or none if the scene lacks
 // the quantity. Contact columns have C entries each; those from contact_a on have none in files of earlier
@@ -45,12 +54,13 @@ struct Frame {
   std::vector<std::uint8_t> contact_sliding;     // 0 or 1
   std::vector<std::int64_t> contact_a;           // id of the body on which the force acts
   std::vector<std::int64_t> contact_b;           // id of the other body; -1 at a wall
-  std::vector<std::int32_t> contact_wall;        // index into walls; -1 between bodies and at surfaces
+  std::vector<std::int32_t> contact_wall;        // index into walls, then surfaces; -1 between bodies
   std::vector<double> contact_normal;            // (3C) unit vector from b to a
   std::vector<double> contact_force;             // (N) (3C) on a
   std::vector<double> contact_point;             // (m) (3C) in the middle of the overlap
 
   std::vector<Wall> walls;
+  std::vector<Surface> surfaces;
   std::array<double, 3> lower{};  // (m) corner of the scene; fixes the camera for all frames.
   std::array<double, 3>
       upper{};  // (m) opposite corner; if upper <= lower the camera is fitted to the particles

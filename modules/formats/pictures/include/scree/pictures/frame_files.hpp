@@ -7,8 +7,9 @@
 
 namespace scree::pictures {
 
-// Each frame has a file of every kind, and each kind a collection of its files.
+// Each frame has a file of every kind, and each kind a collection of its files; of surfaces if it has any.
 inline constexpr const char* frame_kinds[] = {"contacts", "particles"};
+inline constexpr const char* surface_kind = "surfaces";
 
 // File of a frame: particles_0000000100.vtp.
 inline std::string frame_file(const char* kind, std::uint64_t step) {

@@ -1,0 +1,126 @@
+#include "contacts/mesh_spots.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace scree {
+
+namespace {
+
+// Triangles are looked for anew when a body has moved by this part of its radius.
+constexpr double margin = 0.1;
+
+}  // namespace
+
+const std::vector<NearestPoint>& MeshSpots::find(const TriangleMesh& mesh, const SpotRule& rule,
+                                                 const Vec3& x, double radius) {
+  if (next_ == surroundings_.size()) surroundings_.emplace_back();
+  Surroundings& of = surroundings_[next_++];
+  double moved = of.known ? norm(x - of.centre) : 0;
+  if (!of.known || moved > margin * radius) {
+    mesh.find_near(x, (1 + margin) * radius, of.near);
+    of.known = true, of.centre = x, moved = 0;
+  }
+  const auto reached = std::partition_point(
+      of.near.begin(), of.near.end(),
+      [&](const TriangleMesh::Near& triangle) { return triangle.distance <= radius + moved; });
+  if (reached == of.near.begin()) return none_;
+  return finder_.find(mesh, rule, x, radius, std::span(of.near.begin(), reached));
+}
+
+namespace {
+
+// Columns of PairGroup::spots: whether there is one, where, and its normal.
+constexpr std::uint32_t there = 0, place = 1, direction = 4;
+
+Vec3 read(const PairColumns& columns, std::uint32_t first, std::size_t row) {
+  return {{columns.column(first)[row], columns.column(first + 1)[row], columns.column(first + 2)[row]}};
+}
+void write(const Vec3& v, std::uint32_t first, std::size_t row, PairColumns& columns) {
+  for (int k = 0; k < 3; ++k) columns.column(first + std::uint32_t(k))[row] = v[k];
+}
+
+// By the shortest rotation that turns one unit vector into another one.
+Vec3 turned(const Vec3& v, const Vec3& from, const Vec3& to) {
+  const Vec3 sum = from + to;
+  return v - dot(sum, v) / (1 + dot(from, to)) * sum + 2 * dot(from, v) * to;
+}
+
+}  // namespace
+
+void read_kept_spots(const PairGroup& group, std::size_t begin, std::size_t end,
+                     std::vector<KeptSpot>& spots) {
+  spots.clear();
+  for (std::size_t pair = begin; pair < end; ++pair)
+    if (const std::size_t row = pair - group.begin; group.spots.column(there)[row] != 0)
+      spots.push_back({read(group.spots, place, row), read(group.spots, direction, row), pair});
+}
+
+void MeshSpots::follow(const SpotRule& rule, const Vec3& x, const std::vector<NearestPoint>& spots,
+                       const Pairs& of) {
+  const std::size_t pairs = of.end - of.begin, now = std::min(spots.size(), pairs);
+  read_kept_spots(of.group, of.begin, of.end, former_);
+  matches_.find(rule, x, std::span(spots).first(now), former_);
+  if (former_.empty()) return;  // nothing touched, or a state without spots has been taken over
+  const bool stays = pairs == 1 && now == 1 && matches_[0] == 0;
+  for (std::uint32_t k = 0; k < of.group.history_width && !stays; ++k) {
+    double* const column = of.group.history.column(k) + (of.begin - of.group.begin);
+    numbers_.assign(column, column + pairs);
+    for (std::size_t s = 0; s < pairs; ++s)
+      column[s] =
+          s < now && matches_[s] >= 0 ? numbers_[former_[std::size_t(matches_[s])].pair - of.begin] : 0;
+  }
+}
+
+void MeshSpots::turn_springs(const Rotation& to_scene, const std::vector<NearestPoint>& spots,
+                             const Pairs& of) const {
+  for (std::size_t s = 0; s < matches_.size(); ++s) {
+    if (matches_[s] < 0) continue;
+    const Vec3 &from = former_[std::size_t(matches_[s])].normal, &to = spots[s].normal;
+    if (from == to) continue;
+    const std::size_t row = of.begin + s - of.group.begin;
+    const Vec3 spring = to_scene.back()(read(of.group.history, 0, row));
+    write(to_scene(turned(spring, from, to)), 0, row, of.group.history);
+  }
+}
+
+void MeshSpots::keep(const std::vector<NearestPoint>& spots, const Pairs& of) {
+  for (std::size_t s = 0; s < of.end - of.begin; ++s) {
+    const std::size_t row = of.begin + s - of.group.begin;
+    const bool touches = s < spots.size();
+    of.group.spots.column(there)[row] = touches;
+    write(touches ? spots[s].point : Vec3{}, place, row, of.group.spots);
+    write(touches ? spots[s].normal : Vec3{}, direction, row, of.group.spots);
+  }
+}
+
+// Spots that were not there before are of the pairs that had none, in order.
+std::optional<NearestPoint> spot_of_pair(const TriangleMesh& mesh, const SpotRule& rule, const Vec3& x,
+                                         double radius, const Contacts& contacts, const PairGroup& group,
+                                         std::size_t pair) {
+  const auto same = [&](std::size_t q) {
+    return contacts.a[q] == contacts.a[pair] && contacts.b[q] == contacts.b[pair];
+  };
+  std::size_t begin = pair, end = pair + 1;
+  while (begin > group.begin && same(begin - 1)) --begin;
+  while (end < group.end && same(end)) ++end;
+  std::vector<TriangleMesh::Near> near;
+  mesh.find_near(x, radius, near);
+  SpotFinder finder;
+  const std::vector<NearestPoint>& spots = finder.find(mesh, rule, x, radius, near);
+  std::vector<KeptSpot> former;
+  read_kept_spots(group, begin, end, former);
+  SpotMatches before;
+  before.find(rule, x, spots, former);
+  std::vector<std::size_t> of_spot(end - begin, spots.size());
+  for (std::size_t s = 0; s < spots.size(); ++s)
+    if (before[s] >= 0) of_spot[former[std::size_t(before[s])].pair - begin] = s;
+  for (std::size_t s = 0; s < spots.size(); ++s)
+    if (const auto free = std::find(of_spot.begin(), of_spot.end(), spots.size());
+        before[s] < 0 && free != of_spot.end())
+      *free = s;
+  const std::size_t spot = of_spot[pair - begin];
+  return spot < spots.size() ? std::optional(spots[spot]) : std::nullopt;
+}
+
+}  // namespace scree

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "contacts/contacts.hpp"
+#include "surfaces/contact_spots.hpp"
+#include "surfaces/placed_surface.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace scree {
+
+// The spots in which bodies of one tile touch meshes. A body and a mesh have several pairs, one for each spot,
+// the nearest first; histories move from pair to pair with their spots, which pairs keep.
+class MeshSpots {
+ public:
+  // After a neighbour search; the next calls of `spots` are of other pairs.
+  void forget() {
+    for (Surroundings& of : surroundings_) of.known = false;
+  }
+  // Begins an evaluation.
+  void begin() { next_ = 0; }
+  // Spots of a body (m) at x in the frame of the mesh, which must be asked for in the same order in each
+  // evaluation; in those beyond the radius it does not touch.
+  const std::vector<NearestPoint>& find(const TriangleMesh& mesh, const SpotRule& rule, const Vec3& x,
+                                        double radius);
+  // The pairs of a body and a mesh.
+  struct Pairs {
+    PairGroup& group;
+    std::size_t begin, end;
+  };
+  // Moves the histories of pairs to the pairs that have their spots now.
+  void follow(const SpotRule& rule, const Vec3& x, const std::vector<NearestPoint>& spots,
+              const Pairs& pairs);
+  // Then turns tangential springs as the normals of their spots have turned in the frame of the mesh.
+  void turn_springs(const Rotation& to_scene, const std::vector<NearestPoint>& spots,
+                    const Pairs& pairs) const;
+  // Then keeps the spots.
+  static void keep(const std::vector<NearestPoint>& spots, const Pairs& pairs);
+
+ private:
+  // Triangles that were near a body where it was.
+  struct Surroundings {
+    bool known = false;
+    Vec3 centre;
+    std::vector<TriangleMesh::Near> near;
+  };
+  std::vector<Surroundings> surroundings_;  // of each body and mesh
+  std::size_t next_ = 0;
+  SpotFinder finder_;
+  std::vector<NearestPoint> none_;
+  std::vector<double> numbers_;
+  std::vector<KeptSpot> former_;
+  SpotMatches matches_;  // of spots and former ones
+};
+
+// Numbers of a pair in PairGroup::spots.
+constexpr std::uint32_t spot_width = 7;
+
+// Replaces `spots` by those that the pairs [begin, end) of a body and a mesh keep, of those that touched.
+void read_kept_spots(const PairGroup& group, std::size_t begin, std::size_t end,
+                     std::vector<KeptSpot>& spots);
+
+// The spot that a pair has for a body (m) at x in the frame of its mesh, which may have moved since spots were
+// kept; none if it does not touch there.
+std::optional<NearestPoint> spot_of_pair(const TriangleMesh& mesh, const SpotRule& rule, const Vec3& x,
+                                         double radius, const Contacts& contacts, const PairGroup& group,
+                                         std::size_t pair);
+
+}  // namespace scree

@@ -1,0 +1,260 @@
+#include "surfaces/triangle_mesh.hpp"
+
+#include "surfaces/mesh_topology.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <numeric>
+#include <set>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include <scree/counted.hpp>
+#include <scree/error.hpp>
+
+namespace scree {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr Bounds nowhere = {{{infinite, infinite, infinite}}, {{-infinite, -infinite, -infinite}}};
+constexpr std::uint32_t triangles_in_leaf = 4;
+
+// A vertex, and a triangle, for messages.
+[[noreturn]] void refuse(const std::string& problem) { throw Error(problem); }
+
+std::vector<Vec3> points_of(std::span<const double> numbers, double scale) {
+  const double count = numbers.empty() ? 0 : numbers[0];
+  if (!(count >= 3) || count != std::floor(count) || 1 + 3 * count > double(numbers.size()))
+    refuse("the mesh has fewer than three points");
+  std::vector<Vec3> points(static_cast<std::size_t>(count));
+  for (std::size_t p = 0; p < points.size(); ++p)
+    for (int k = 0; k < 3; ++k) {
+      points[p][k] = scale * numbers[1 + 3 * p + std::size_t(k)];
+      if (!std::isfinite(points[p][k])) refuse(fmt::format("point {} of the mesh is not finite", p + 1));
+    }
+  return points;
+}
+
+std::vector<std::array<std::uint32_t, 3>> corners_of(std::span<const double> numbers, std::size_t points) {
+  const std::span<const double> all = numbers.subspan(1 + 3 * points);
+  if (all.empty() || all.size() % 3 != 0) refuse("the mesh has no triangles");
+  std::vector<std::array<std::uint32_t, 3>> corners(all.size() / 3);
+  for (std::size_t t = 0; t < corners.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double number = all[3 * t + k];
+      if (!(number >= 0 && number < double(points)) || number != std::floor(number))
+        refuse(fmt::format("triangle {} of the mesh has a corner that is none of its points", t + 1));
+      corners[t][k] = std::uint32_t(number);
+    }
+  return corners;
+}
+
+Vec3 area_vector(const std::vector<Vec3>& points, const std::array<std::uint32_t, 3>& c) {
+  return cross(points[c[1]] - points[c[0]], points[c[2]] - points[c[0]]);
+}
+
+}  // namespace
+
+TriangleMesh::TriangleMesh(std::span<const double> numbers, double scale) {
+  const std::vector<Vec3> points = points_of(numbers, scale);
+  bounds_ = nowhere;
+  for (const Vec3& point : points) bounds_.include(point), reach_ = std::max(reach_, norm(point));
+  constexpr double round_off_of_files = 4 * double(std::numeric_limits<float>::epsilon());
+  tolerance_ = round_off_of_files * reach_;
+  corners_ = usable(points, corners_of(numbers, points.size()));
+  if (corners_.empty()) refuse("no triangle of the mesh has an area");
+  const MeshTopology topology(corners_);
+  topology.turn_alike(corners_, findings_);
+  beside_ = MeshTopology(corners_).beside();
+  for (const Corners& of : corners_) {
+    const Vec3 area = area_vector(points, of);
+    triangles_.push_back({{points[of[0]], points[of[1]], points[of[2]]}, 1 / norm(area) * area});
+  }
+  sum_angles(points.size());
+  in_tree_.resize(triangles_.size());
+  std::iota(in_tree_.begin(), in_tree_.end(), 0u);
+  nodes_.emplace_back();
+  grow(0, 0, std::uint32_t(triangles_.size()));
+}
+
+// Triangles with an area, each once, by points that are joined.
+std::vector<TriangleMesh::Corners> TriangleMesh::usable(const std::vector<Vec3>& points,
+                                                        const std::vector<Corners>& all) {
+  const std::vector<std::uint32_t> joined = joined_points(points, tolerance_);
+  std::set<Corners> known;
+  std::vector<Corners> corners;
+  for (Corners c : all) {
+    for (std::uint32_t& point : c) point = joined[point];
+    if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0] || !(norm(area_vector(points, c)) > 0)) {
+      ++findings_.degenerate;
+      continue;
+    }
+    Corners sorted = c;
+    std::sort(sorted.begin(), sorted.end());
+    known.insert(sorted).second ? corners.push_back(c) : void(++findings_.duplicate);
+  }
+  return corners;
+}
+
+void TriangleMesh::sum_angles(std::size_t points) {
+  at_point_.assign(points, Vec3{});
+  for (std::size_t t = 0; t < corners_.size(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const Triangle& of = triangles_[t];
+      const Vec3 u = of.corner[(k + 1) % 3] - of.corner[k], v = of.corner[(k + 2) % 3] - of.corner[k];
+      at_point_[corners_[t][std::size_t(k)]] += std::atan2(norm(cross(u, v)), dot(u, v)) * of.normal;
+    }
+}
+
+Vec3 TriangleMesh::outwards(std::size_t t, TrianglePart part) const {
+  if (part == TrianglePart::face) return triangles_[t].normal;
+  if (part >= TrianglePart::corner_0)
+    return at_point_[corners_[t][std::size_t(part) - std::size_t(TrianglePart::corner_0)]];
+  const std::uint32_t beside = beside_[t][std::size_t(part) - std::size_t(TrianglePart::edge_0)];
+  return triangles_[t].normal + (beside == MeshTopology::none ? Vec3{} : triangles_[beside].normal);
+}
+
+bool TriangleMesh::at_border(std::size_t t) const {
+  return std::find(beside_[t].begin(), beside_[t].end(), MeshTopology::none) != beside_[t].end();
+}
+
+// Halves the triangles of a node by the middles of their bounds along its longest axis.
+void TriangleMesh::grow(std::uint32_t node, std::uint32_t begin, std::uint32_t end) {
+  Bounds bounds = nowhere, middles = nowhere;
+  const auto middle_of = [&](std::uint32_t t) {
+    Bounds of = nowhere;
+    for (const Vec3& corner : triangles_[t].corner) of.include(corner);
+    return 0.5 * (of.lower + of.upper);
+  };
+  for (std::uint32_t k = begin; k < end; ++k) {
+    for (const Vec3& corner : triangles_[in_tree_[k]].corner) bounds.include(corner);
+    middles.include(middle_of(in_tree_[k]));
+  }
+  nodes_[node] = {bounds, begin, end - begin};
+  if (end - begin <= triangles_in_leaf) return;
+  const Vec3 extent = middles.upper - middles.lower;
+  const int axis = int(std::max_element(extent.component, extent.component + 3) - extent.component);
+  const std::uint32_t middle = (begin + end) / 2;
+  std::nth_element(in_tree_.begin() + begin, in_tree_.begin() + middle, in_tree_.begin() + end,
+                   [&](std::uint32_t s, std::uint32_t t) {
+                     return std::make_tuple(middle_of(s)[axis], s) < std::make_tuple(middle_of(t)[axis], t);
+                   });
+  const auto children = std::uint32_t(nodes_.size());
+  nodes_[node] = {bounds, children, 0};
+  nodes_.resize(nodes_.size() + 2);
+  grow(children, begin, middle);
+  grow(children + 1, middle, end);
+}
+
+void TriangleMesh::find_near(const Vec3& x, double reach, std::vector<Near>& near) const {
+  near.clear();
+  std::array<std::uint32_t, 64> waiting = {0};  // a tree of 2^32 triangles is 31 deep
+  for (std::size_t count = 1; count > 0;) {
+    const Node& node = nodes_[waiting[--count]];
+    if (node.bounds.square_to(x) > reach * reach) continue;
+    if (node.count == 0) {
+      waiting[count++] = node.first + 1, waiting[count++] = node.first;
+      continue;
+    }
+    for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
+      const double distance = norm(x - nearest_on(triangles_[in_tree_[k]], x).point);
+      if (distance <= reach) near.push_back({in_tree_[k], distance});
+    }
+  }
+  std::sort(near.begin(), near.end(), [](const Near& a, const Near& b) {
+    return std::tie(a.distance, a.triangle) < std::tie(b.distance, b.triangle);
+  });
+}
+
+TriangleMesh::Near TriangleMesh::nearest(const Vec3& x) const {
+  Near best = {0, infinite};
+  std::array<std::uint32_t, 64> waiting = {0};
+  for (std::size_t count = 1; count > 0;) {
+    const Node& node = nodes_[waiting[--count]];
+    if (node.bounds.square_to(x) > best.distance * best.distance) continue;
+    if (node.count == 0) {
+      // The nearer child is visited first.
+      const bool first = nodes_[node.first].bounds.square_to(x) <= nodes_[node.first + 1].bounds.square_to(x);
+      waiting[count++] = node.first + first, waiting[count++] = node.first + !first;
+      continue;
+    }
+    for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
+      const std::uint32_t t = in_tree_[k];
+      const double distance = norm(x - nearest_on(triangles_[t], x).point);
+      if (std::tie(distance, t) < std::tie(best.distance, best.triangle)) best = {t, distance};
+    }
+  }
+  return best;
+}
+
+namespace {
+
+// Where an edge goes through the inside of a triangle.
+std::optional<Vec3> piercing(const Triangle& triangle, const Vec3& from, const Vec3& to) {
+  const double before = dot(from - triangle.corner[0], triangle.normal),
+               behind = dot(to - triangle.corner[0], triangle.normal);
+  if (!(before * behind < 0)) return {};
+  const Vec3 point = from + before / (before - behind) * (to - from);
+  for (int e = 0; e < 3; ++e) {
+    const Vec3 edge = triangle.corner[(e + 1) % 3] - triangle.corner[e];
+    if (!(dot(cross(edge, point - triangle.corner[e]), triangle.normal) > 0)) return {};
+  }
+  return point;
+}
+
+}  // namespace
+
+std::optional<Vec3> TriangleMesh::crossing() const {
+  std::vector<Near> near;
+  for (std::size_t t = 0; t < size(); ++t)
+    for (int e = 0; e < 3; ++e) {
+      const Vec3 &from = triangles_[t].corner[e], &to = triangles_[t].corner[(e + 1) % 3];
+      find_near(0.5 * (from + to), 0.5 * norm(to - from), near);
+      for (const Near& n : near) {
+        const Corners& other = corners_[n.triangle];
+        const auto has = [&](std::uint32_t point) {
+          return std::find(other.begin(), other.end(), point) != other.end();
+        };
+        if (has(corners_[t][0]) || has(corners_[t][1]) || has(corners_[t][2])) continue;
+        if (const auto point = piercing(triangles_[n.triangle], from, to)) return point;
+      }
+    }
+  return {};
+}
+
+std::string MeshFindings::text() const {
+  std::string all;
+  const auto add = [&](std::size_t count, const char* one, const char* what) {
+    if (count > 0) all += fmt::format("{}{} of {}", all.empty() ? "" : ", ", counted(count, one), what);
+  };
+  add(open_edges, "edge", "one triangle");
+  add(shared_edges, "edge", "three triangles or more");
+  if (one_sided) all += fmt::format("{}no inside and outside", all.empty() ? "" : ", ");
+  add(degenerate, "triangle", "no area, left out");
+  add(duplicate, "triangle", "the same corners as another, left out");
+  add(turned, "triangle", "the other sense than those beside it, turned");
+  return all;
+}
+
+std::shared_ptr<const TriangleMesh> shared_mesh(std::span<const double> numbers, double scale) {
+  struct Kept {
+    std::vector<double> numbers;
+    double scale = 0;
+    std::shared_ptr<const TriangleMesh> mesh;
+  };
+  static std::mutex mutex;
+  static std::vector<Kept> kept;
+  constexpr std::size_t most_kept = 8;
+  const std::lock_guard lock(mutex);
+  for (const Kept& k : kept)
+    if (k.scale == scale && std::ranges::equal(k.numbers, numbers)) return k.mesh;
+  if (kept.size() == most_kept) kept.erase(kept.begin());
+  kept.push_back({{numbers.begin(), numbers.end()}, scale, std::make_shared<TriangleMesh>(numbers, scale)});
+  return kept.back().mesh;
+}
+
+}  // namespace scree
