@@ -331,7 +331,8 @@ TEST_CASE("describe folds keys that differ in an axis or a side only", "[tools]"
   const std::string all = w.scree("describe --all").out;
   CHECK(contains(
       all,
-      "[box](#box), [cone](#cone), [cylinder](#cylinder), [disc](#disc), [periodic](#periodic), [plane](#plane), "));
+      "[box](#box), [cone](#cone), [cylinder](#cylinder), [disc](#disc), [mesh](#mesh), [periodic](#periodic), "
+      "[plane](#plane), "));
   CHECK(contains(all, "[box](#box-1)"));
 }
 

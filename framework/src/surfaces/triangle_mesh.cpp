@@ -57,6 +57,14 @@ Vec3 area_vector(const std::vector<Vec3>& points, const std::array<std::uint32_t
   return cross(points[c[1]] - points[c[0]], points[c[2]] - points[c[0]]);
 }
 
+// Enclosed by a closed mesh (m³); above 0 if corners run anticlockwise as seen from outside.
+double volume_of(const std::vector<Vec3>& points, const std::vector<std::array<std::uint32_t, 3>>& corners) {
+  double sum = 0;
+  for (const auto& [a, b, c] : corners)
+    sum += dot(points[a] - points[0], cross(points[b] - points[0], points[c] - points[0]));
+  return sum / 6;
+}
+
 }  // namespace
 
 TriangleMesh::TriangleMesh(std::span<const double> numbers, double scale) {
@@ -69,6 +77,8 @@ TriangleMesh::TriangleMesh(std::span<const double> numbers, double scale) {
   if (corners_.empty()) refuse("no triangle of the mesh has an area");
   const MeshTopology topology(corners_);
   topology.turn_alike(corners_, findings_);
+  if (findings_.closed() && volume_of(points, corners_) < 0)
+    for (Corners& of : corners_) std::swap(of[1], of[2]);
   beside_ = MeshTopology(corners_).beside();
   for (const Corners& of : corners_) {
     const Vec3 area = area_vector(points, of);

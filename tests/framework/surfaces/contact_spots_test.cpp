@@ -211,9 +211,20 @@ TEST_CASE("faults of a mesh are counted, and repaired where that is safe", "[sur
         "the other sense than those beside it, turned");
   CHECK(nearest_spot(repaired, {SCREE_OUTSIDE, 0.94}, {{0, 0, 1.5}}).distance == 0.5);
   mesh = box_mesh({{1, 1, 1}});
+  for (auto& triangle : mesh.triangles) std::swap(triangle[0], triangle[1]);
+  CHECK(nearest_spot(TriangleMesh(mesh.numbers(), 1), {SCREE_OUTSIDE, 0.94}, {{0, 0, 1.5}}).distance == 0.5);
+  mesh = box_mesh({{1, 1, 1}});
   mesh.triangles.pop_back();
   CHECK(TriangleMesh(mesh.numbers(), 1).findings().open_edges == 3);
   CHECK_FALSE(TriangleMesh(mesh.numbers(), 1).findings().closed());
+  CHECK_FALSE(TriangleMesh(mesh.numbers(), 1).crossing());
+  Mesh crossed = box_mesh({{1, 1, 1}});
+  for (const Vec3& p : box_mesh({{0.5, 0.5, 0.5}}).points) crossed.points.push_back(p + Vec3{{1, 0.1, 0.2}});
+  for (const auto& t : box_mesh({{0.5, 0.5, 0.5}}).triangles) crossed.add(t[0] + 24, t[1] + 24, t[2] + 24);
+  const TriangleMesh two(crossed.numbers(), 1);
+  CHECK(two.findings().closed());
+  REQUIRE(two.crossing());
+  CHECK(std::abs((*two.crossing())[0] - 1) < 1e-12);
   const auto problem = [](std::vector<double> numbers) {
     try {
       TriangleMesh(numbers, 1);

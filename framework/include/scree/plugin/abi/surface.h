@@ -30,8 +30,8 @@ enum scree_side {
  *                   is z > 0 if the radius decreases from start to end
  *   SCREE_BALL      radius, and limits along z, in 2D along y, which may be infinite
  *   SCREE_MESH      factor of its points, and the angle (rad) below which two spots count as one, as seen from the centre
- *                   of a body. A body touches a mesh in each spot where the distance has a local minimum. `outside` is
- *                   where the corners of a triangle run anticlockwise; a mesh with one side must be closed */
+ *                   of a body. A body touches a mesh in each spot where the distance has a local minimum. A mesh with
+ *                   one side must be closed; `outside` is where it encloses nothing */
 typedef struct scree_surface {
   uint32_t shape, side;
   double size[4];

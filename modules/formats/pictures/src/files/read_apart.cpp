@@ -37,18 +37,20 @@ void limit_resources(std::uintmax_t file_size) {
 
 std::string read_apart(const std::filesystem::path& file, const Error& damaged,
                        const std::function<void(const Send&)>& read) {
-  const ChildEnd end = in_child([&](const Send& send) {
-    std::error_code failed;
-    const std::uintmax_t size = std::filesystem::file_size(file, failed);
-    limit_resources(failed ? 0 : size);
-    try {
-      read(send);
-    } catch (const Error&) {
-      throw;
-    } catch (...) {  // VTK, of a damaged file
-      _exit(1);
-    }
-  });
+  const ChildEnd end = in_child(
+      [&](const Send& send) {
+        std::error_code failed;
+        const std::uintmax_t size = std::filesystem::file_size(file, failed);
+        limit_resources(failed ? 0 : size);
+        try {
+          read(send);
+        } catch (const Error&) {
+          throw;
+        } catch (...) {  // VTK, of a damaged file
+          _exit(1);
+        }
+      },
+      {.silent = true});  // of readers that print what they miss
   if (end.how == ChildEnd::not_started)
     throw Error(fmt::format("{}: cannot be read ({}); end other processes", file.string(), end.text()),
                 ExitStatus::failure);
