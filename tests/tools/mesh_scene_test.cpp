@@ -86,10 +86,12 @@ TEST_CASE("meshes that do not fit their use are refused in a line", "[tools]") {
   const std::string lid = pot + "f 5 6 7 8\n";
   CHECK_THAT(refusal(with(scene, "scale = 0.001", "scale = 0.001\nside = \"outside\""), lid),
              Catch::Contains("behind the surface pot"));
-  CHECK_THAT(
-      refusal(scene, "v 0 0 0\nv 1 0 0\nv nan 1 0\nf 1 2 3\n"),
-      Catch::Contains(
-          "scene.toml:20:10: boundary plug-in mesh, surface pot: the mesh has fewer than three points"));
+  CHECK_THAT(refusal(scene, "v 0 0 0\nv 1 0 0\nv nan 1 0\nf 1 2 3\n"),
+             Catch::Contains("scene.toml:21:8: parts/pot.obj: line 3 is not a point"));
+  const std::string twice =
+      lid + "v -10 -10 5\nv 10 -10 5\nv 0 10 5\nv 0 0 8\nf 9 11 10\nf 9 10 12\nf 10 11 12\nf 11 9 12\n";
+  CHECK_THAT(refusal(with(scene, "scale = 0.001", "scale = 0.001\nside = \"inside\""), twice),
+             Catch::Contains("has shells within shells; give each shell as a boundary of its own"));
   const Outcome large = PotWorkspace(with(scene, "scale = 0.001", "scale = 1")).scree("check scene.toml");
   CHECK_THAT(large.err, Catch::Contains("give scale = 0.001 for mm"));
 }

@@ -2,24 +2,37 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
+#include <tuple>
 
 namespace scree {
 
 namespace {
 
 // Triangles are looked for anew when a body has moved by this part of its radius.
-constexpr double margin = 0.1;
+constexpr double margin = 0.05;
 
 }  // namespace
 
+MeshSpots::Surroundings MeshSpots::known_before(const Key& key) {
+  const auto precedes = [](const Key& a, const Key& b) {
+    return std::tie(a.place, a.wall) < std::tie(b.place, b.wall);
+  };
+  while (next_before_ < before_.size() && precedes(before_[next_before_].key, key)) ++next_before_;
+  if (next_before_ < before_.size() && before_[next_before_].key == key)
+    return std::move(before_[next_before_]);
+  constexpr double nowhere = std::numeric_limits<double>::infinity();
+  return {key, {{nowhere, nowhere, nowhere}}, {}};
+}
+
 const std::vector<NearestPoint>& MeshSpots::find(const TriangleMesh& mesh, const SpotRule& rule,
-                                                 const Vec3& x, double radius) {
-  if (next_ == surroundings_.size()) surroundings_.emplace_back();
+                                                 const Key& key, const Vec3& x, double radius) {
+  if (next_ == surroundings_.size()) surroundings_.push_back(known_before(key));
   Surroundings& of = surroundings_[next_++];
-  double moved = of.known ? norm(x - of.centre) : 0;
-  if (!of.known || moved > margin * radius) {
+  double moved = norm(x - of.centre);
+  if (!(moved <= margin * radius)) {
     mesh.find_near(x, (1 + margin) * radius, of.near);
-    of.known = true, of.centre = x, moved = 0;
+    of.centre = x, moved = 0;
   }
   const auto reached = std::partition_point(
       of.near.begin(), of.near.end(),

@@ -5,7 +5,9 @@
 #include "surfaces/placed_surface.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace scree {
@@ -14,16 +16,23 @@ namespace scree {
 // the nearest first; histories move from pair to pair with their spots, which pairs keep.
 class MeshSpots {
  public:
-  // After a neighbour search; the next calls of `spots` are of other pairs.
-  void forget() {
-    for (Surroundings& of : surroundings_) of.known = false;
+  // After a neighbour search: the next evaluations are of other pairs.
+  void renew() {
+    std::swap(before_, surroundings_);
+    surroundings_.clear();
+    next_before_ = 0;
   }
   // Begins an evaluation.
   void begin() { next_ = 0; }
-  // Spots of a body (m) at x in the frame of the mesh, which must be asked for in the same order in each
-  // evaluation; in those beyond the radius it does not touch.
-  const std::vector<NearestPoint>& find(const TriangleMesh& mesh, const SpotRule& rule, const Vec3& x,
-                                        double radius);
+  // A body by its place in memory and its number, and a mesh by its number among the walls.
+  struct Key {
+    std::uint32_t place, wall, number;
+    friend bool operator==(const Key&, const Key&) = default;
+  };
+  // Spots of a body with a radius (m) at x in the frame of the mesh, in which it touches. Keys must be asked for in
+  // order of places and walls, the same ones in all evaluations of the same pairs.
+  const std::vector<NearestPoint>& find(const TriangleMesh& mesh, const SpotRule& rule, const Key& key,
+                                        const Vec3& x, double radius);
   // The pairs of a body and a mesh.
   struct Pairs {
     PairGroup& group;
@@ -41,12 +50,14 @@ class MeshSpots {
  private:
   // Triangles that were near a body where it was.
   struct Surroundings {
-    bool known = false;
+    Key key;
     Vec3 centre;
     std::vector<TriangleMesh::Near> near;
   };
-  std::vector<Surroundings> surroundings_;  // of each body and mesh
-  std::size_t next_ = 0;
+  // What was known of a body before the last search; without triangles if nothing was.
+  Surroundings known_before(const Key& key);
+  std::vector<Surroundings> surroundings_, before_;  // of each body and mesh, in the order of the pairs
+  std::size_t next_ = 0, next_before_ = 0;
   SpotFinder finder_;
   std::vector<NearestPoint> none_;
   std::vector<double> numbers_;

@@ -1,5 +1,7 @@
 #include "contacts/surface_contacts.hpp"
 
+#include "machine/instruction_levels.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -62,7 +64,7 @@ void SurfaceContacts::plan(const Contacts& contacts, std::size_t record_width) {
   }
   records_.plan(std::move(first_row), rows, record_width);
   if (any_) mesh_spots_.resize(tiles);
-  for (MeshSpots& spots : mesh_spots_) spots.forget();
+  for (MeshSpots& spots : mesh_spots_) spots.renew();
 }
 
 void SurfaceContacts::place(std::vector<PlacedSurface> surfaces, std::size_t planes) {
@@ -82,14 +84,17 @@ void SurfaceContacts::resolve(std::size_t tile, Contacts& contacts, const Partic
     for (std::size_t q = group.runs[tile].begin, next = q; q < end; q = next) {
       const std::uint32_t a = contacts.a[q], b = contacts.b[q];
       for (next = q + 1; next < end && contacts.a[next] == a && contacts.b[next] == b;) ++next;
-      resolve_pairs({surfaces_[b - planes_], a, q, next, springs[group.law] != 0},
+      resolve_pairs({surfaces_[b - planes_], a, b, q, next, springs[group.law] != 0},
                     records_.first_row(g) - group.begin, p, mesh_spots_[tile], group, effective_radius);
     }
   }
 }
 
-void SurfaceContacts::resolve_pairs(const PairsOfBody& of, std::size_t rows, const Particles& p,
-                                    MeshSpots& mesh_spots, PairGroup& group, double* effective_radius) {
+[[gnu::flatten]] SCREE_EVERY_LEVEL void SurfaceContacts::resolve_pairs(const PairsOfBody& of,
+                                                                       std::size_t rows, const Particles& p,
+                                                                       MeshSpots& mesh_spots,
+                                                                       PairGroup& group,
+                                                                       double* effective_radius) {
   const double radius = p.radius()[of.body];
   Vec3 x = {};
   for (int k = 0; k < p.dimension(); ++k) x[k] = p.position()[k][of.body];
@@ -100,7 +105,8 @@ void SurfaceContacts::resolve_pairs(const PairsOfBody& of, std::size_t rows, con
   if (!of.surface.mesh()) return set_pair(of.begin, of.surface.nearest(x));
   const Vec3 here = of.surface.in_frame(x);
   const SpotRule rule = of.surface.rule();
-  const std::vector<NearestPoint>& spots = mesh_spots.find(*of.surface.mesh(), rule, here, radius);
+  const std::vector<NearestPoint>& spots =
+      mesh_spots.find(*of.surface.mesh(), rule, {of.body, of.wall, p.order().number(of.body)}, here, radius);
   const MeshSpots::Pairs pairs = {group, of.begin, of.end};
   mesh_spots.follow(rule, here, spots, pairs);
   if (of.spring) mesh_spots.turn_springs(of.surface.to_scene(), spots, pairs);

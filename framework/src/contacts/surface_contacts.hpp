@@ -31,7 +31,7 @@ class SurfaceContacts {
   // The pairs of a body and a surface.
   struct PairsOfBody {
     const PlacedSurface& surface;
-    std::uint32_t body;
+    std::uint32_t body, wall;
     std::size_t begin, end;
     bool spring;
   };

@@ -59,7 +59,10 @@ class NeighbourList {
   void rearrange(const std::vector<std::uint32_t>& from, std::span<const BodyRange> kept);
 
   // After tiles have been dealt to ranks.
-  void forget_near_bodies() { near_covered_ = 0; }
+  void forget_near_bodies() {
+    near_covered_ = 0;
+    clearances_.clear();
+  }
 
   const std::vector<double>& surface_reach() const { return surface_reach_; }
   double skin() const { return skin_; }
@@ -81,7 +84,9 @@ class NeighbourList {
               ThreadPool& threads);
   std::vector<PlanePair> walls_near_bodies(const Boundaries& boundaries,
                                            const std::vector<class PlacedSurface>& surfaces, int dimension,
-                                           ThreadPool& threads) const;
+                                           ThreadPool& threads);
+  void shorten_clearances(double moved, const std::vector<class PlacedSurface>& surfaces,
+                          const Domain& domain);
   void record_positions(Particles& particles, const Domain& domain, ThreadPool& threads);
   void transfer_bodies(const class StateTransfer& state, const BodyOrder& order);
   void transfer_crossing(const class StateTransfer& state);
@@ -111,6 +116,8 @@ class NeighbourList {
   std::vector<NeighbourPair> own_pairs_;
   double body_travel_ = 0, plane_travel_ = 0, surface_travel_ = 0;  // (m) bounds since the last search
   std::vector<double> surface_reach_;
+  std::vector<double>
+      clearances_;  // (bodies, surfaces) (m) lower bounds of their distance at the last search
   BodyColumn<Sphere> bodies_at_search_;  // bodies at the last search
   std::vector<scree_plane> planes_at_search_;
   std::vector<std::uint8_t> absent_at_search_;

@@ -1,5 +1,7 @@
 #include "surfaces/contact_spots.hpp"
 
+#include "machine/instruction_levels.hpp"
+
 #include <algorithm>
 #include <tuple>
 
@@ -7,7 +9,8 @@ namespace scree {
 
 namespace {
 
-SpotCandidate candidate_on(const TriangleMesh& mesh, std::uint32_t t, const Vec3& x) {
+[[gnu::flatten]] SCREE_EVERY_LEVEL SpotCandidate candidate_on(const TriangleMesh& mesh, std::uint32_t t,
+                                                              const Vec3& x) {
   const Triangle& triangle = mesh.triangle(t);
   const PointOnTriangle nearest = nearest_on(triangle, x);
   if (nearest.part == TrianglePart::face) {
@@ -97,11 +100,13 @@ std::size_t spots_possible(const TriangleMesh& mesh, const SpotRule& rule, const
 
 void SpotMatches::find(const SpotRule& rule, const Vec3& x, std::span<const NearestPoint> spots,
                        std::span<const KeptSpot> former) {
+  constexpr double cosine_least = 0.94;
+  const double cosine = std::min(rule.cosine_smooth, cosine_least);
   matches_.clear();
   before_.assign(spots.size(), -1);
   for (std::size_t s = 0; s < spots.size(); ++s)
     for (std::size_t f = 0; f < former.size(); ++f)
-      if (const Vec3 then = x - former[f].point; dot(then, spots[s].normal) > rule.cosine_smooth * norm(then))
+      if (const Vec3 then = x - former[f].point; dot(then, spots[s].normal) > cosine * norm(then))
         matches_.push_back({norm(spots[s].point - former[f].point), s, f});
   std::sort(matches_.begin(), matches_.end(), [](const Match& a, const Match& b) {
     return std::tie(a.moved, a.spot, a.before) < std::tie(b.moved, b.spot, b.before);

@@ -57,7 +57,8 @@ struct KeptSpot {
   std::size_t pair;
 };
 
-// The former spot of each spot, or -1: the nearest one, if both are seen from x within the angle of the rule.
+// The former spot of each spot, or -1: the nearest one, if both are seen from x within the angle of the rule, or
+// 0.35 rad if that is less.
 class SpotMatches {
  public:
   void find(const SpotRule& rule, const Vec3& x, std::span<const NearestPoint> spots,

@@ -46,6 +46,23 @@ MeshTopology::MeshTopology(const std::vector<Corners>& corners)
   }
 }
 
+std::vector<std::uint32_t> MeshTopology::shells() const {
+  std::vector<std::uint32_t> shell(beside_.size(), none), next;
+  std::uint32_t count = 0;
+  for (std::uint32_t first = 0; first < beside_.size(); ++first) {
+    if (shell[first] != none) continue;
+    shell[first] = count;
+    for (next.push_back(first); !next.empty();) {
+      const std::uint32_t t = next.back();
+      next.pop_back();
+      for (const std::uint32_t other : beside_[t])
+        if (other != none && shell[other] == none) shell[other] = count, next.push_back(other);
+    }
+    ++count;
+  }
+  return shell;
+}
+
 void MeshTopology::turn_alike(std::vector<Corners>& corners, MeshFindings& findings) const {
   enum : char { unseen, kept, turned };
   std::vector<char> seen(corners.size(), unseen);

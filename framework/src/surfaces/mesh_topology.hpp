@@ -18,6 +18,8 @@ class MeshTopology {
   static constexpr std::uint32_t none = ~std::uint32_t(0);
   // Of each triangle, the one other triangle at each of its edges, or none.
   const std::vector<Corners>& beside() const { return beside_; }
+  // Of each triangle, the number of the part of the mesh that it is joined to.
+  std::vector<std::uint32_t> shells() const;
   // Counts edges, and turns triangles like the first one that they are joined to.
   void turn_alike(std::vector<Corners>& corners, MeshFindings& findings) const;
 

@@ -1,5 +1,7 @@
 #include "surfaces/nearest_point.hpp"
 
+#include "machine/instruction_levels.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -102,7 +104,8 @@ const char* problem_of_mesh(const scree_surface& s, int dimension) {
 
 }  // namespace
 
-NearestPoint nearest_point(const scree_surface& surface, int dimension, const Vec3& x) {
+[[gnu::flatten]] SCREE_EVERY_LEVEL NearestPoint nearest_point(const scree_surface& surface, int dimension,
+                                                              const Vec3& x) {
   switch (surface.shape) {
     case SCREE_FLAT:
       return on_flat(surface, dimension, x);
@@ -137,6 +140,17 @@ double reach_of(const scree_surface& s, int dimension) {
       return std::max(std::hypot(s.size[0], s.size[1]), std::hypot(s.size[2], s.size[3]));
     default:
       return s.size[0];
+  }
+}
+
+bool has_edges(const scree_surface& s, int dimension) {
+  switch (s.shape) {
+    case SCREE_FLAT:
+      return !(std::isinf(s.size[0]) && (dimension == 2 || std::isinf(s.size[1])));
+    case SCREE_REVOLVED:
+      return !std::isinf(s.size[1]);
+    default:
+      return s.size[1] > -s.size[0] || s.size[2] < s.size[0];
   }
 }
 

@@ -25,6 +25,9 @@ const char* problem_of(const scree_surface& surface, int dimension);
 // infinite.
 double reach_of(const scree_surface& surface, int dimension);
 
+// Whether a surface that is no mesh ends somewhere.
+bool has_edges(const scree_surface& surface, int dimension);
+
 // Whether a spin about the axis z of its frame, in 2D about the origin, leaves a surface as it is.
 bool turns_into_itself(const scree_surface& surface, int dimension);
 

@@ -1,5 +1,7 @@
 #include "surfaces/placed_surface.hpp"
 
+#include "machine/instruction_levels.hpp"
+
 namespace scree {
 
 namespace {
@@ -26,7 +28,7 @@ PlacedSurface::PlacedSurface(const scree_surface& surface, const TriangleMesh* m
       half_back_(Rotation::by(-0.5 * step * mid_spin_)),
       chord_(step != 0 ? 2 / step * half_angle_of(step * mid_spin_).sine : mid_spin_) {}
 
-NearestPoint PlacedSurface::nearest(const Vec3& x) const {
+[[gnu::flatten]] SCREE_EVERY_LEVEL NearestPoint PlacedSurface::nearest(const Vec3& x) const {
   const Vec3 here = in_frame(x);
   return in_scene(mesh_ ? nearest_spot(*mesh_, rule(), here) : nearest_point(surface_, dimension_, here));
 }

@@ -20,6 +20,10 @@ class PlacedSurface {
   NearestPoint nearest(const Vec3& x) const;
   // Null if it is no mesh.
   const TriangleMesh* mesh() const { return mesh_; }
+  // Whether the distance of a body may jump while it moves: from the edge of one side to its back.
+  bool distance_jumps() const {
+    return !mesh_ && surface_.side != SCREE_BOTH_SIDES && has_edges(surface_, dimension_);
+  }
   // How a body touches the mesh.
   SpotRule rule() const { return {surface_.side, std::cos(surface_.size[1])}; }
   // From the scene to the frame of the surface, and back.

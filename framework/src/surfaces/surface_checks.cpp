@@ -23,6 +23,18 @@ Vec3 centre(const Particles& p, std::size_t i) {
   return x;
 }
 
+// Throws Error if a mesh has no inside, though it is closed.
+void check_inside(const PlacedSurface& surface, const std::string& name) {
+  const auto refuse = [&](const char* what, const Vec3& where) {
+    throw Error(
+        fmt::format("surface {}: it {} at {} m, so that it has no inside; mend the file, or leave side out: "
+                    "bodies then touch it from both sides",
+                    name, what, text(surface.in_scene({where, {}, 0, {}}).point)));
+  };
+  if (const auto fold = surface.mesh()->fold()) refuse("folds back on itself", *fold);
+  if (const auto crossing = surface.mesh()->crossing()) refuse("crosses itself", *crossing);
+}
+
 // Length (m) across all bodies and their largest diameter.
 struct Extent {
   double across, diameter;
@@ -82,11 +94,7 @@ void check_sides(const WallSurfaces& surfaces, const Particles& bodies) {
   const std::vector<PlacedSurface> placed = placed_surfaces(surfaces, bodies.dimension());
   for (std::size_t s = 0; s < placed.size(); ++s) {
     if (surfaces.shapes[s].side == SCREE_BOTH_SIDES) continue;
-    if (const auto crossing = placed[s].mesh() ? placed[s].mesh()->crossing() : std::nullopt)
-      throw Error(fmt::format(
-          "surface {}: it crosses itself at {} m, so that it has no inside; mend the file, or leave "
-          "side out: bodies then touch it from both sides",
-          surfaces.names[s], text(placed[s].in_scene({*crossing, {}, 0, {}}).point)));
+    if (placed[s].mesh()) check_inside(placed[s], surfaces.names[s]);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       if (!bodies.fixed.empty() && bodies.fixed[i]) continue;
       const NearestPoint nearest = placed[s].nearest(centre(bodies, i));

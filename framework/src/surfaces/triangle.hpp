@@ -11,10 +11,20 @@ namespace scree {
 // next, or a corner.
 enum class TrianglePart : std::uint8_t { face, edge_0, edge_1, edge_2, corner_0, corner_1, corner_2 };
 
-// Whole triangle, with its unit normal.
+// A triangle with its unit normal, and in its plane the unit normals of its edges, which lead out of it.
 struct Triangle {
   Vec3 corner[3];  // (m)
   Vec3 normal;
+  Vec3 beyond[3];  // of the edge from the corner of that number to the next
+
+  Triangle(const Vec3& a, const Vec3& b, const Vec3& c) : corner{a, b, c} {
+    const Vec3 area = cross(b - a, c - a);
+    normal = 1 / norm(area) * area;
+    for (int e = 0; e < 3; ++e) {
+      const Vec3 out = cross(corner[(e + 1) % 3] - corner[e], normal);
+      beyond[e] = 1 / norm(out) * out;
+    }
+  }
 };
 
 // Where a triangle is nearest to a point.
@@ -25,35 +35,31 @@ struct PointOnTriangle {
 
 namespace detail {
 
-inline PointOnTriangle on_edge(const Triangle& t, int edge, double share) {
-  const Vec3 &from = t.corner[edge], &to = t.corner[(edge + 1) % 3];
-  return {from + share * (to - from), TrianglePart(int(TrianglePart::edge_0) + edge)};
-}
-inline PointOnTriangle on_corner(const Triangle& t, int corner) {
-  return {t.corner[corner], TrianglePart(int(TrianglePart::corner_0) + corner)};
+// The point of an edge that is nearest to x.
+inline PointOnTriangle nearest_on_edge(const Triangle& t, int e, const Vec3& x) {
+  const int next = (e + 1) % 3;
+  const Vec3 edge = t.corner[next] - t.corner[e];
+  const double along = dot(x - t.corner[e], edge), square = dot(edge, edge);
+  if (along <= 0) return {t.corner[e], TrianglePart(int(TrianglePart::corner_0) + e)};
+  if (along >= square) return {t.corner[next], TrianglePart(int(TrianglePart::corner_0) + next)};
+  return {t.corner[e] + along / square * edge, TrianglePart(int(TrianglePart::edge_0) + e)};
 }
 
 }  // namespace detail
 
-// The point of a triangle that is nearest to x (m). x lies beyond an edge if the edge, x and the normal say
-// so, and beyond a corner if it also lies behind both ends.
+// The point of a triangle that is nearest to x (m): on its face, or on one of the edges beyond which x lies.
 inline PointOnTriangle nearest_on(const Triangle& t, const Vec3& x) {
-  bool over_face = true;
-  PointOnTriangle best = {};
+  PointOnTriangle best = {{}, TrianglePart::face};
   double best_square = 0;
   for (int e = 0; e < 3; ++e) {
-    const Vec3 edge = t.corner[(e + 1) % 3] - t.corner[e], from = x - t.corner[e];
-    if (dot(cross(edge, from), t.normal) >= 0) continue;
-    const double along = dot(from, edge), square = dot(edge, edge);
-    const PointOnTriangle here = along <= 0        ? detail::on_corner(t, e)
-                                 : along >= square ? detail::on_corner(t, (e + 1) % 3)
-                                                   : detail::on_edge(t, e, along / square);
+    if (!(dot(x - t.corner[e], t.beyond[e]) > 0)) continue;
+    const PointOnTriangle here = detail::nearest_on_edge(t, e, x);
     const Vec3 apart = x - here.point;
-    if (over_face || dot(apart, apart) < best_square) best = here, best_square = dot(apart, apart);
-    over_face = false;
+    const double square = dot(apart, apart);
+    if (best.part == TrianglePart::face || square < best_square) best = here, best_square = square;
   }
-  if (!over_face) return best;
-  return {x - dot(x - t.corner[0], t.normal) * t.normal, TrianglePart::face};
+  if (best.part == TrianglePart::face) best.point = x - dot(x - t.corner[0], t.normal) * t.normal;
+  return best;
 }
 
 // Smallest and largest corners of a box.
@@ -62,6 +68,20 @@ struct Bounds {
 
   void include(const Vec3& x) {
     for (int k = 0; k < 3; ++k) lower[k] = std::min(lower[k], x[k]), upper[k] = std::max(upper[k], x[k]);
+  }
+  // Whether some of a line from one point to another may lie inside.
+  bool meets(const Vec3& from, const Vec3& to) const {
+    double begin = 0, end = 1;
+    for (int k = 0; k < 3; ++k) {
+      const double step = to[k] - from[k], a = lower[k] - from[k], b = upper[k] - from[k];
+      if (step == 0) {
+        if (a > 0 || b < 0) return false;
+        continue;
+      }
+      begin = std::max(begin, std::min(a / step, b / step));
+      end = std::min(end, std::max(a / step, b / step));
+    }
+    return begin <= end;
   }
   // Square of the distance of a point (m²); 0 inside.
   double square_to(const Vec3& x) const {

@@ -1,5 +1,6 @@
 #include "surfaces/triangle_mesh.hpp"
 
+#include "machine/instruction_levels.hpp"
 #include "surfaces/mesh_topology.hpp"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr Bounds nowhere = {{{infinite, infinite, infinite}}, {{-infinite, -infinite, -infinite}}};
-constexpr std::uint32_t triangles_in_leaf = 4;
+constexpr std::uint32_t triangles_in_leaf = 2;
 
 // A vertex, and a triangle, for messages.
 [[noreturn]] void refuse(const std::string& problem) { throw Error(problem); }
@@ -57,12 +58,11 @@ Vec3 area_vector(const std::vector<Vec3>& points, const std::array<std::uint32_t
   return cross(points[c[1]] - points[c[0]], points[c[2]] - points[c[0]]);
 }
 
-// Enclosed by a closed mesh (m³); above 0 if corners run anticlockwise as seen from outside.
-double volume_of(const std::vector<Vec3>& points, const std::vector<std::array<std::uint32_t, 3>>& corners) {
-  double sum = 0;
-  for (const auto& [a, b, c] : corners)
-    sum += dot(points[a] - points[0], cross(points[b] - points[0], points[c] - points[0]));
-  return sum / 6;
+// Smallest height of a triangle (m).
+double height_of(const std::vector<Vec3>& points, const std::array<std::uint32_t, 3>& c) {
+  const double longest = std::max({norm(points[c[1]] - points[c[0]]), norm(points[c[2]] - points[c[1]]),
+                                   norm(points[c[0]] - points[c[2]])});
+  return norm(area_vector(points, c)) / longest;
 }
 
 }  // namespace
@@ -71,24 +71,42 @@ TriangleMesh::TriangleMesh(std::span<const double> numbers, double scale) {
   const std::vector<Vec3> points = points_of(numbers, scale);
   bounds_ = nowhere;
   for (const Vec3& point : points) bounds_.include(point), reach_ = std::max(reach_, norm(point));
-  constexpr double round_off_of_files = 4 * double(std::numeric_limits<float>::epsilon());
-  tolerance_ = round_off_of_files * reach_;
+  // Of files with single precision near their origin, and of double precision.
+  constexpr double of_files = 4 * double(std::numeric_limits<float>::epsilon()),
+                   of_numbers = 4 * std::numeric_limits<double>::epsilon();
+  tolerance_ = of_files * norm(bounds_.upper - bounds_.lower) + of_numbers * reach_;
   corners_ = usable(points, corners_of(numbers, points.size()));
   if (corners_.empty()) refuse("no triangle of the mesh has an area");
   const MeshTopology topology(corners_);
   topology.turn_alike(corners_, findings_);
-  if (findings_.closed() && volume_of(points, corners_) < 0)
-    for (Corners& of : corners_) std::swap(of[1], of[2]);
+  if (findings_.closed()) turn_outwards(points, topology.shells());
   beside_ = MeshTopology(corners_).beside();
-  for (const Corners& of : corners_) {
-    const Vec3 area = area_vector(points, of);
-    triangles_.push_back({{points[of[0]], points[of[1]], points[of[2]]}, 1 / norm(area) * area});
-  }
+  for (const Corners& of : corners_) triangles_.emplace_back(points[of[0]], points[of[1]], points[of[2]]);
   sum_angles(points.size());
   in_tree_.resize(triangles_.size());
   std::iota(in_tree_.begin(), in_tree_.end(), 0u);
   nodes_.emplace_back();
   grow(0, 0, std::uint32_t(triangles_.size()));
+}
+
+// Each shell has its outside outside; one within another one is told by its bounds.
+void TriangleMesh::turn_outwards(const std::vector<Vec3>& points,
+                                 const std::vector<std::uint32_t>& shell_of) {
+  std::vector<Bounds> bounds;
+  std::vector<double> volume;
+  for (std::size_t t = 0; t < corners_.size(); ++t) {
+    const std::size_t shell = shell_of[t];
+    bounds.resize(std::max(bounds.size(), shell + 1), nowhere), volume.resize(bounds.size(), 0);
+    const auto& [a, b, c] = corners_[t];
+    for (const std::uint32_t p : corners_[t]) bounds[shell].include(points[p]);
+    volume[shell] += dot(points[a] - points[0], cross(points[b] - points[0], points[c] - points[0]));
+  }
+  for (std::size_t t = 0; t < corners_.size(); ++t)
+    if (volume[shell_of[t]] < 0) std::swap(corners_[t][1], corners_[t][2]);
+  for (const Bounds& inner : bounds)
+    for (const Bounds& outer : bounds)
+      findings_.nested = findings_.nested || (&inner != &outer && outer.square_to(inner.lower) == 0 &&
+                                              outer.square_to(inner.upper) == 0);
 }
 
 // Triangles with an area, each once, by points that are joined.
@@ -99,7 +117,7 @@ std::vector<TriangleMesh::Corners> TriangleMesh::usable(const std::vector<Vec3>&
   std::vector<Corners> corners;
   for (Corners c : all) {
     for (std::uint32_t& point : c) point = joined[point];
-    if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0] || !(norm(area_vector(points, c)) > 0)) {
+    if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0] || !(height_of(points, c) > tolerance_)) {
       ++findings_.degenerate;
       continue;
     }
@@ -160,8 +178,8 @@ void TriangleMesh::grow(std::uint32_t node, std::uint32_t begin, std::uint32_t e
   grow(children + 1, middle, end);
 }
 
-void TriangleMesh::find_near(const Vec3& x, double reach, std::vector<Near>& near) const {
-  near.clear();
+[[gnu::flatten]] SCREE_EVERY_LEVEL void TriangleMesh::add_near(const Vec3& x, double reach,
+                                                               std::vector<Near>& near) const {
   std::array<std::uint32_t, 64> waiting = {0};  // a tree of 2^32 triangles is 31 deep
   for (std::size_t count = 1; count > 0;) {
     const Node& node = nodes_[waiting[--count]];
@@ -175,13 +193,19 @@ void TriangleMesh::find_near(const Vec3& x, double reach, std::vector<Near>& nea
       if (distance <= reach) near.push_back({in_tree_[k], distance});
     }
   }
+}
+
+void TriangleMesh::find_near(const Vec3& x, double reach, std::vector<Near>& near) const {
+  near.clear();
+  add_near(x, reach, near);
   std::sort(near.begin(), near.end(), [](const Near& a, const Near& b) {
     return std::tie(a.distance, a.triangle) < std::tie(b.distance, b.triangle);
   });
 }
 
-TriangleMesh::Near TriangleMesh::nearest(const Vec3& x) const {
-  Near best = {0, infinite};
+[[gnu::flatten]] SCREE_EVERY_LEVEL TriangleMesh::Near TriangleMesh::nearest(const Vec3& x,
+                                                                            double most) const {
+  Near best = {0, most};
   std::array<std::uint32_t, 64> waiting = {0};
   for (std::size_t count = 1; count > 0;) {
     const Node& node = nodes_[waiting[--count]];
@@ -218,19 +242,45 @@ std::optional<Vec3> piercing(const Triangle& triangle, const Vec3& from, const V
 
 }  // namespace
 
+void TriangleMesh::find_along(const Vec3& from, const Vec3& to, std::vector<std::uint32_t>& triangles) const {
+  triangles.clear();
+  std::array<std::uint32_t, 64> waiting = {0};
+  for (std::size_t count = 1; count > 0;) {
+    const Node& node = nodes_[waiting[--count]];
+    if (!node.bounds.meets(from, to)) continue;
+    if (node.count == 0)
+      waiting[count++] = node.first + 1, waiting[count++] = node.first;
+    else
+      triangles.insert(triangles.end(), in_tree_.begin() + node.first,
+                       in_tree_.begin() + node.first + node.count);
+  }
+}
+
+// Where two triangles lie on each other beside their common edge.
+std::optional<Vec3> TriangleMesh::fold() const {
+  constexpr double nearly_opposite = -1 + 1e-6;
+  for (std::size_t t = 0; t < size(); ++t)
+    for (std::size_t e = 0; e < 3; ++e)
+      if (const std::uint32_t beside = beside_[t][e];
+          beside != MeshTopology::none &&
+          dot(triangles_[t].normal, triangles_[beside].normal) < nearly_opposite)
+        return triangles_[t].corner[e];
+  return {};
+}
+
 std::optional<Vec3> TriangleMesh::crossing() const {
-  std::vector<Near> near;
+  std::vector<std::uint32_t> along;
   for (std::size_t t = 0; t < size(); ++t)
     for (int e = 0; e < 3; ++e) {
       const Vec3 &from = triangles_[t].corner[e], &to = triangles_[t].corner[(e + 1) % 3];
-      find_near(0.5 * (from + to), 0.5 * norm(to - from), near);
-      for (const Near& n : near) {
-        const Corners& other = corners_[n.triangle];
+      find_along(from, to, along);
+      for (const std::uint32_t n : along) {
+        const Corners& other = corners_[n];
         const auto has = [&](std::uint32_t point) {
           return std::find(other.begin(), other.end(), point) != other.end();
         };
         if (has(corners_[t][0]) || has(corners_[t][1]) || has(corners_[t][2])) continue;
-        if (const auto point = piercing(triangles_[n.triangle], from, to)) return point;
+        if (const auto point = piercing(triangles_[n], from, to)) return point;
       }
     }
   return {};

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -22,6 +23,7 @@ struct MeshFindings {
   std::size_t turned = 0;        // triangles whose corners ran against the triangles beside them, turned
   std::size_t open_edges = 0;    // edges of one triangle
   std::size_t shared_edges = 0;  // edges of three triangles and more
+  bool nested = false;           // shells lie within the bounds of other shells
   bool one_sided = false;        // triangles cannot all be turned alike, as of a Moebius strip
 
   // "2 edges of one triangle, 1 triangle without area"; empty if it has none of these.
@@ -42,11 +44,14 @@ class TriangleMesh {
   };
   // Replaces `near` by the triangles within a distance (m) of x, the nearest first.
   void find_near(const Vec3& x, double reach, std::vector<Near>& near) const;
-  // The nearest triangle; of several, the one with the lowest number.
-  Near nearest(const Vec3& x) const;
+  // The nearest triangle; of several, the one with the lowest number. most: (m) distance beyond which none is
+  // looked for; it is then the distance.
+  Near nearest(const Vec3& x, double most = std::numeric_limits<double>::infinity()) const;
 
-  // A point in which two triangles without a common corner cross; none if there is none.
+  // A point in which two triangles without a common corner cross, and one where the mesh folds back on itself;
+  // none if there is none.
   std::optional<Vec3> crossing() const;
+  std::optional<Vec3> fold() const;
 
   std::size_t size() const { return triangles_.size(); }
   const Triangle& triangle(std::size_t t) const { return triangles_[t]; }
@@ -67,6 +72,10 @@ class TriangleMesh {
     Bounds bounds;
     std::uint32_t first, count;  // triangles of a leaf; count 0: first is the first of two children
   };
+  // In the order of the tree.
+  void add_near(const Vec3& x, double reach, std::vector<Near>& near) const;
+  void find_along(const Vec3& from, const Vec3& to, std::vector<std::uint32_t>& triangles) const;
+  void turn_outwards(const std::vector<Vec3>& points, const std::vector<std::uint32_t>& shell_of);
   std::vector<Corners> usable(const std::vector<Vec3>& points, const std::vector<Corners>& all);
   void sum_angles(std::size_t points);
   void grow(std::uint32_t node, std::uint32_t begin, std::uint32_t end);

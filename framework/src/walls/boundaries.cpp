@@ -165,7 +165,8 @@ void Boundaries::reconfigure(const std::string& name, const Parameters& paramete
           name));
     if (!same_surfaces(changed.instance(), member.plugin.instance()))
       throw Error(fmt::format(
-          "boundary '{}': these parameters change its surfaces, which must be the same in all stages", name));
+          "boundary '{}': these parameters change its surfaces, which must be the same in all stages, and as in a state; give a new boundary, or leave_out = [\"walls\"] in [particles] with a state",
+          name));
     std::swap(member.plugin, changed);
     std::swap(member.clock, clock);
     member.entry.parameters = parameters;

@@ -64,6 +64,9 @@ std::shared_ptr<const TriangleMesh> mesh_of(const scree_surface& surface, const 
   if (surface.side != SCREE_BOTH_SIDES && !mesh->findings().closed())
     refuse("side is given, and the mesh is not closed: " + mesh->findings().text(),
            "close it, or leave side out: bodies then touch it from both sides");
+  if (surface.side != SCREE_BOTH_SIDES && mesh->findings().nested)
+    refuse("side is given, and the mesh has shells within shells",
+           "give each shell as a boundary of its own");
   return mesh;
 }
 

@@ -223,8 +223,25 @@ TEST_CASE("faults of a mesh are counted, and repaired where that is safe", "[sur
   for (const auto& t : box_mesh({{0.5, 0.5, 0.5}}).triangles) crossed.add(t[0] + 24, t[1] + 24, t[2] + 24);
   const TriangleMesh two(crossed.numbers(), 1);
   CHECK(two.findings().closed());
+  CHECK_FALSE(two.findings().nested);
+  CHECK_FALSE(two.fold());
   REQUIRE(two.crossing());
   CHECK(std::abs((*two.crossing())[0] - 1) < 1e-12);
+  // Three shells, of which one is turned and one within another.
+  Mesh shells = box_mesh({{1, 1, 1}});
+  for (const double size : {0.5, 0.2}) {
+    const std::size_t first = shells.points.size();
+    for (const Vec3& p : box_mesh({{size, size, size}}).points)
+      shells.points.push_back(p + Vec3{{size > 0.3 ? 3.0 : 0.0, 0, 0}});
+    for (const auto& t : box_mesh({{size, size, size}}).triangles)
+      shells.add(t[1] + first, t[0] + first, t[2] + first);
+    const TriangleMesh both(shells.numbers(), 1);
+    CHECK(both.findings().nested == (size < 0.3));
+    CHECK(nearest_spot(both, {SCREE_OUTSIDE, 0.94}, {{3, 0, 0}}).distance == -0.5);
+  }
+  const TriangleMesh fold(
+      Mesh{{{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{0.2, 0.5, 0}}}, {{0, 1, 2}, {1, 0, 3}}}.numbers(), 1);
+  CHECK(fold.fold());
   const auto problem = [](std::vector<double> numbers) {
     try {
       TriangleMesh(numbers, 1);

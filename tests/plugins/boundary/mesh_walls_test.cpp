@@ -112,6 +112,17 @@ TEST_CASE("a flat mesh moves bodies as a plane does, whatever its triangles", "[
   }
 }
 
+// A spot goes on while it moves by less than 0.35 rad in a step, however small the angle of the rule.
+TEST_CASE("springs go on where triangles count each by itself", "[surfaces]") {
+  Scene sc = scene(3, 2e-5, {body(1, 0.01, 0.01, {{0.003, 0.001, 0.00999}})}, frictional);
+  add_boundary(sc, "mesh", mesh_values(flat_mesh(0.1, 20, 20), {{"smooth_angle", {0}}}));
+  add_weight(sc, {{1, 0.5, -9.81}});
+  Simulation s(sc);
+  run(s, 20000);
+  CHECK(std::abs(s.energy_residual()) <
+        1e-4);  // springs that were lost would miss all of the work of the slope
+}
+
 // Of a box: in its corners and along its edges a body touches two or three faces, each with its own spring.
 TEST_CASE("a box of triangles is a box of planes", "[surfaces]") {
   const Vec3 half = {{0.05, 0.04, 0.03}};

@@ -66,6 +66,11 @@ const std::string vtp =
     "<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">0 2 1 0 1 3 0 3 2 1 2 3</DataArray>"
     "<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">3 6 9 12</DataArray></Polys></Piece></PolyData></VTKFile>";
 
+std::string with(std::string text, const std::string& from, const std::string& to) {
+  REQUIRE(text.find(from) != std::string::npos);
+  return text.replace(text.find(from), from.size(), to);
+}
+
 // Volume (m³) of a closed mesh.
 double volume_of(const std::vector<double>& numbers) {
   const auto points = std::size_t(numbers[0]);
@@ -115,7 +120,18 @@ TEST_CASE("files that are no meshes are refused by name", "[snapshot]") {
   CHECK_THAT(refusal("word.stl", "hello\n"), Contains("word.stl: "));
   CHECK_THAT(refusal("cut.vtp", vtp.substr(0, vtp.size() / 2)), Contains("cut.vtp: is damaged"));
   CHECK_THAT(refusal("cut.ply", ply.substr(0, ply.size() - 20)), Contains("cut.ply: "));
-  CHECK_THAT(refusal("cut.stl", binary_stl().substr(0, 120)), Contains("cut.stl: "));
+  CHECK_THAT(refusal("cut.stl", binary_stl().substr(0, 134)),
+             Contains("cut.stl: its size is not that of its 4 triangles"));
+  CHECK_THAT(refusal("nan.obj", with(obj, "v 2 0 0", "v nan 0 0")), Contains("line 2 is not a point"));
+  CHECK_THAT(refusal("short.obj", with(obj, "v 2 0 0", "v 2 0")), Contains("line 2 is not a point"));
+  CHECK_THAT(refusal("mark.obj", "\xEF\xBB\xBF" + obj), Contains("line 1 begins with a byte order mark"));
+  for (const char* const face : {"f 2 3 9", "f 2 3 0", "f 2 3 -9"})
+    CHECK_THAT(refusal("face.obj", with(obj, "f 2 3 4", face)),
+               Contains("line 8 has a point that is not there"));
+  CHECK_THAT(refusal("face.ply", with(ply, "3 1 2 3", "3 1 2 9")),
+             Contains("a face has a point that is not there"));
+  CHECK_THAT(refusal("face.vtp", with(vtp, "3 2 1 2 3<", "3 2 1 2 9<")),
+             Contains("a face has a point that is not there"));
 }
 
 // Where the surface is built, which names the point.
