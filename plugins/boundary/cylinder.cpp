@@ -13,7 +13,7 @@ struct Cylinder : SurfaceWall {
       "cylinder",
       "cylinder in 3D, circle in 2D, from inside, from outside or both; it moves and turns as prescribed",
       "distance ρ from the axis, bodies at ρ < radius (inside) or ρ > radius (outside); open at both ends\n"
-      "Hertz contacts: 1/R*² = 1/R (1/R ± 1/radius), the force has an error of 0.02 (R/radius)²\n"
+      "Hertz contacts: 1/R*² = 1/R (1/R ± 1/radius), the force has an error of 0.02 (R/radius)², inside 0.04 for radius >= 2 R\n"
       "moves by ∫velocity dt along the direction, turns by ∫spin dt about spin_axis",
       "Johnson 1985, eq. 4.26"};
 

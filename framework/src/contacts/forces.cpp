@@ -217,7 +217,8 @@ void Forces::sum_frame_loads(const Particles& particles, std::size_t planes,
 }
 
 void Forces::place_surfaces(const Evaluation& e) {
-  work_->surfaces.place(placed_surfaces(e.surfaces, features_.dimension, e.elapsed), e.planes.size());
+  work_->surfaces.place(placed_surfaces(e.surfaces, features_.dimension, e.elapsed), e.planes.size(),
+                        e.elapsed);
 }
 
 PairColumns& Forces::pair_forces() { return work_->constants.force; }

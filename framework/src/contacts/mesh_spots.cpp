@@ -97,6 +97,15 @@ void MeshSpots::turn_springs(const Rotation& to_scene, const std::vector<Nearest
   }
 }
 
+// Between the former spot and the present one.
+NearestPoint MeshSpots::middle(std::size_t spot, const NearestPoint& now) const {
+  if (spot >= matches_.size() || matches_[spot] < 0) return now;
+  const KeptSpot& before = former_[std::size_t(matches_[spot])];
+  if (before.normal == now.normal) return {0.5 * (before.point + now.point), now.normal, now.distance, {}};
+  const Vec3 sum = before.normal + now.normal;
+  return {0.5 * (before.point + now.point), 1 / norm(sum) * sum, now.distance, {}};
+}
+
 void MeshSpots::keep(const std::vector<NearestPoint>& spots, const Pairs& of) {
   for (std::size_t s = 0; s < of.end - of.begin; ++s) {
     const std::size_t row = of.begin + s - of.group.begin;

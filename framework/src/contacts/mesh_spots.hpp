@@ -44,6 +44,8 @@ class MeshSpots {
   // Then turns tangential springs as the normals of their spots have turned in the frame of the mesh.
   void turn_springs(const Rotation& to_scene, const std::vector<NearestPoint>& spots,
                     const Pairs& pairs) const;
+  // Then: a spot in the middle of the step, in the frame of the mesh.
+  NearestPoint middle(std::size_t spot, const NearestPoint& now) const;
   // Then keeps the spots.
   static void keep(const std::vector<NearestPoint>& spots, const Pairs& pairs);
 

@@ -26,9 +26,10 @@ double effective_radius_at(const Vec2& surface, double of_body) {
 void set_part(double* part, const Vec3& v) { std::copy_n(v.component, 3, part); }
 
 // A record as of a body at the nearest point, see scree::record.
-void write_record(const PlacedSurface& surface, const Vec3& point, int dimension, bool spin, double* at) {
-  const Vec3 from_origin = point - surface.origin();
-  const Vec3 velocity = surface.velocity(from_origin), mid_velocity = surface.mid_velocity(from_origin);
+void write_record(const PlacedSurface& surface, const Vec3& point, const Vec3& mid_point, int dimension,
+                  bool spin, double* at) {
+  const Vec3 velocity = surface.velocity(point - surface.origin()),
+             mid_velocity = surface.mid_velocity(mid_point - surface.mid_origin());
   if (dimension == 2) {
     const auto set = [&](std::size_t part, const Vec3& v, double third) {
       at[part] = v[0], at[part + 1] = v[1], at[part + 2] = third;
@@ -67,8 +68,9 @@ void SurfaceContacts::plan(const Contacts& contacts, std::size_t record_width) {
   for (MeshSpots& spots : mesh_spots_) spots.renew();
 }
 
-void SurfaceContacts::place(std::vector<PlacedSurface> surfaces, std::size_t planes) {
+void SurfaceContacts::place(std::vector<PlacedSurface> surfaces, std::size_t planes, double step) {
   surfaces_ = std::move(surfaces);
+  step_ = step;
   planes_ = planes;
 }
 
@@ -98,11 +100,15 @@ void SurfaceContacts::resolve(std::size_t tile, Contacts& contacts, const Partic
   const double radius = p.radius()[of.body];
   Vec3 x = {};
   for (int k = 0; k < p.dimension(); ++k) x[k] = p.position()[k][of.body];
-  const auto set_pair = [&](std::size_t pair, const NearestPoint& nearest) {
-    set(rows + pair, of.surface, nearest, p);
+  const auto set_pair = [&](std::size_t pair, const NearestPoint& nearest, const NearestPoint& middle) {
+    set(rows + pair, of.surface, nearest, middle, p);
     if (effective_radius) effective_radius[pair] = effective_radius_at(nearest.curvature, 1 / radius);
   };
-  if (!of.surface.mesh()) return set_pair(of.begin, of.surface.nearest(x));
+  if (!of.surface.mesh()) {
+    Vec3 x_middle = x;
+    for (int k = 0; k < p.dimension(); ++k) x_middle[k] -= 0.5 * step_ * p.mid_velocity()[k][of.body];
+    return set_pair(of.begin, of.surface.nearest(x), of.surface.mid_nearest(x_middle));
+  }
   const Vec3 here = of.surface.in_frame(x);
   const SpotRule rule = of.surface.rule();
   const std::vector<NearestPoint>& spots =
@@ -112,15 +118,20 @@ void SurfaceContacts::resolve(std::size_t tile, Contacts& contacts, const Partic
   if (of.spring) mesh_spots.turn_springs(of.surface.to_scene(), spots, pairs);
   MeshSpots::keep(spots, pairs);
   for (std::size_t pair = of.begin; pair < of.end; ++pair) {
-    const bool touches = pair - of.begin < spots.size();
-    set_pair(pair, touches ? of.surface.in_scene(spots[pair - of.begin]) : away_from(x, radius));
+    const std::size_t spot = pair - of.begin;
+    if (spot < spots.size())
+      set_pair(pair, of.surface.in_scene(spots[spot]),
+               of.surface.mid_in_scene(mesh_spots.middle(spot, spots[spot])));
+    else
+      set_pair(pair, away_from(x, radius), away_from(x, radius));
   }
 }
 
 void SurfaceContacts::set(std::size_t row, const PlacedSurface& surface, const NearestPoint& nearest,
-                          const Particles& p) {
-  write_record(surface, nearest.point, p.dimension(), p.has_spin(), records_.record(row));
+                          const NearestPoint& middle, const Particles& p) {
+  write_record(surface, nearest.point, middle.point, p.dimension(), p.has_spin(), records_.record(row));
   set_part(records_.normal(row), nearest.normal);
+  set_part(records_.mid_normal(row), middle.normal);
   set_part(records_.lever(row), nearest.point - surface.origin());
 }
 

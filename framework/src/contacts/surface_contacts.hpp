@@ -18,8 +18,8 @@ class SurfaceContacts {
  public:
   // Makes room for the pairs; must be called after each neighbour search.
   void plan(const Contacts& contacts, std::size_t record_width);
-  // The surfaces of an evaluation, which are numbered behind `planes` planes.
-  void place(std::vector<PlacedSurface> surfaces, std::size_t planes);
+  // The surfaces of an evaluation, which are numbered behind `planes` planes, at the end of a step (s).
+  void place(std::vector<PlacedSurface> surfaces, std::size_t planes, double step);
   bool any() const { return any_; }
   // Finds the nearest points for the pairs of a tile, and the effective radii of its Hertzian contacts. Histories
   // follow the spots of meshes. springs: of each law, whether its histories begin with one.
@@ -38,10 +38,13 @@ class SurfaceContacts {
   // rows: of records, less the pairs. effective_radius: of all pairs, or null.
   void resolve_pairs(const PairsOfBody& of, std::size_t rows, const Particles& p, MeshSpots& mesh_spots,
                      PairGroup& group, double* effective_radius);
-  void set(std::size_t row, const PlacedSurface& surface, const NearestPoint& nearest, const Particles& p);
+  // middle: in the middle of the step.
+  void set(std::size_t row, const PlacedSurface& surface, const NearestPoint& nearest,
+           const NearestPoint& middle, const Particles& p);
 
   bool any_ = false;
   std::size_t planes_ = 0;
+  double step_ = 0;
   std::vector<PlacedSurface> surfaces_;
   kernel::SurfaceRecords records_;
   std::vector<MeshSpots> mesh_spots_;  // of each tile

@@ -24,13 +24,24 @@ PlacedSurface::PlacedSurface(const scree_surface& surface, const TriangleMesh* m
       spin_(vector(frame.spin)),
       mid_velocity_(vector(frame.mid_velocity)),
       mid_spin_(vector(frame.mid_spin)),
+      mid_origin_(origin_ - 0.5 * step * mid_velocity_),
       to_scene_{frame.orientation[0], {{frame.orientation[1], frame.orientation[2], frame.orientation[3]}}},
-      half_back_(Rotation::by(-0.5 * step * mid_spin_)),
+      mid_to_scene_(Rotation::by(-0.5 * step * mid_spin_) * to_scene_),
       chord_(step != 0 ? 2 / step * half_angle_of(step * mid_spin_).sine : mid_spin_) {}
 
 [[gnu::flatten]] SCREE_EVERY_LEVEL NearestPoint PlacedSurface::nearest(const Vec3& x) const {
   const Vec3 here = in_frame(x);
   return in_scene(mesh_ ? nearest_spot(*mesh_, rule(), here) : nearest_point(surface_, dimension_, here));
+}
+
+[[gnu::flatten]] SCREE_EVERY_LEVEL NearestPoint PlacedSurface::mid_nearest(const Vec3& x) const {
+  return mid_in_scene(nearest_point(surface_, dimension_, mid_to_scene_.back()(x - mid_origin_)));
+}
+
+NearestPoint PlacedSurface::mid_in_scene(NearestPoint found) const {
+  found.point = mid_origin_ + mid_to_scene_(found.point);
+  found.normal = mid_to_scene_(found.normal);
+  return found;
 }
 
 NearestPoint PlacedSurface::in_scene(NearestPoint found) const {

@@ -31,11 +31,13 @@ class PlacedSurface {
   NearestPoint in_scene(NearestPoint found) const;
   const Rotation& to_scene() const { return to_scene_; }
   // Velocity (m/s) of the material that is at a point, given from the origin of the frame (m): at the end of
-  // the step, and its displacement in the step / step.
+  // the step; and of that which is there in its middle, its displacement in the step / step.
   Vec3 velocity(const Vec3& from_origin) const { return velocity_ + cross(spin_, from_origin); }
-  Vec3 mid_velocity(const Vec3& from_origin) const {
-    return mid_velocity_ + cross(chord_, half_back_(from_origin));
-  }
+  Vec3 mid_velocity(const Vec3& from_origin) const { return mid_velocity_ + cross(chord_, from_origin); }
+  // The nearest point in the middle of the step, of a surface that is no mesh; x: (m) there, in the scene.
+  NearestPoint mid_nearest(const Vec3& x) const;
+  NearestPoint mid_in_scene(NearestPoint found) const;
+  const Vec3& mid_origin() const { return mid_origin_; }
   const Vec3& origin() const { return origin_; }
   const Vec3& spin() const { return spin_; }
   const Vec3& mid_spin() const { return mid_spin_; }
@@ -47,8 +49,8 @@ class PlacedSurface {
   const scree_surface& surface_;
   const TriangleMesh* mesh_;
   int dimension_;
-  Vec3 origin_, velocity_, spin_, mid_velocity_, mid_spin_;
-  Rotation to_scene_, half_back_;
+  Vec3 origin_, velocity_, spin_, mid_velocity_, mid_spin_, mid_origin_;
+  Rotation to_scene_, mid_to_scene_;
   Vec3 chord_;  // (rad/s) times a place in the middle of a turn: its displacement / step
 };
 

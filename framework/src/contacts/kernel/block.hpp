@@ -42,7 +42,7 @@ struct alignas(64) BlockColumns {
   double velocity[3][block_size], mid_velocity[3][block_size];  // a − b (m/s)
   double spin[2][3][block_size], mid_spin[2][3][block_size];    // of a, of b (rad/s)
   double input[SCREE_REDUCED_MASS][block_size];                 // of the law, as in scree_contact_input
-  double lever[3][block_size];                                  // of surfaces, see SurfaceRecords (m)
+  double lever[3][block_size], mid_normal[3][block_size];       // of surfaces, see SurfaceRecords
   double ones[block_size];                                      // onset weights of blocks that need none
   double output[SCREE_CONTACT_OUTPUT_COUNT][block_size];        // stored pair forces bypass this
   double torque[2][3][block_size];                              // on a, on b (N m)

@@ -85,9 +85,13 @@ SCREE_HOT void gather_walls(const EvaluationInput& s, std::size_t pair, std::siz
   transpose(v[0], v[1], v[2], v[3]);
   store_vector(block.input + SCREE_NORMAL, D, lane, v);
   if constexpr (partner == Partner::surface) {
-    for (std::size_t k = 0; k < 4; ++k) v[k] = load_four(s.surfaces->levers() + 4 * (row + k));
-    transpose(v[0], v[1], v[2], v[3]);
-    store_vector(block.lever, D, lane, v);
+    const auto gather = [&](const double* vectors, double(*columns)[block_size]) SCREE_INLINE_LAMBDA {
+      for (std::size_t k = 0; k < 4; ++k) v[k] = load_four(vectors + 4 * (row + k));
+      transpose(v[0], v[1], v[2], v[3]);
+      store_vector(columns, D, lane, v);
+    };
+    gather(s.surfaces->levers(), block.lever);
+    gather(s.surfaces->mid_normals(), block.mid_normal);
   }
 }
 

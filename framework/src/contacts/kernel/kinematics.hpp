@@ -57,10 +57,9 @@ SCREE_HOT PairStep<D> motion_of(const double (*velocity)[block_size], const doub
 // differ by the part of the overlap that the lever arm of a leaves out, in which a wall that turns has
 // another velocity.
 template <int D, bool spin>
-SCREE_HOT void move_to_contact_point(bool to_contact_point, double radius_sum, std::uint32_t i,
-                                     const BlockColumns& block, PairStep<D>& motion) {
+SCREE_HOT void move_to_contact_point(const PairDirection<D>& at, bool to_contact_point, double radius_sum,
+                                     std::uint32_t i, const BlockColumns& block, PairStep<D>& motion) {
   if constexpr (spin) {
-    const PairDirection<D> at = direction_of<D>(block, i);
     const double arm =
         LeverArms<true>::of(to_contact_point, at.distance, radius_sum, block.radius_difference[i]).a;
     motion.velocity += rotational_velocity(at.normal, 0.0, at.distance - arm, motion.spin_a, motion.spin_b);
@@ -73,13 +72,14 @@ SCREE_HOT void set_increment(bool to_contact_point, double radius_sum, double st
                              std::uint32_t i, BlockColumns& block) {
   constexpr bool planes = is_wall(partner);
   PairStep<D> motion = motion_of<D, spin>(block.mid_velocity, block.mid_spin, i);
-  if constexpr (partner == Partner::surface)
-    move_to_contact_point<D, spin>(to_contact_point, radius_sum, i, block, motion);
   Vec<D> separation = {};
   if constexpr (!planes)
     for (int k = 0; k < D; ++k) separation[k] = block.separation[k][i];
-  const auto middle =
-      mid_step_direction<planes>(direction_of<D>(block, i), separation, motion.velocity, step);
+  PairDirection<D> end = direction_of<D>(block, i);
+  if constexpr (partner == Partner::surface) end.normal = lanes_of<D>(block.mid_normal, i);
+  const auto middle = mid_step_direction<planes>(end, separation, motion.velocity, step);
+  if constexpr (partner == Partner::surface)
+    move_to_contact_point<D, spin>(middle, to_contact_point, radius_sum, i, block, motion);
   set_lanes<D>(block.input + SCREE_TANGENTIAL_INCREMENT, i,
                tangential_increment<spin, planes>(middle, motion, to_contact_point, radius_sum,
                                                   block.radius_difference[i], step, touched));
@@ -98,7 +98,7 @@ SCREE_HOT Count resolve_motion(bool to_contact_point, const double* radius_sum, 
     const PairDirection<D> at = direction_of<D>(block, i);
     PairStep<D> motion = motion_of<D, spin>(block.velocity, block.spin, i);
     if constexpr (partner == Partner::surface)
-      move_to_contact_point<D, spin>(to_contact_point, radius_sum[i], i, block, motion);
+      move_to_contact_point<D, spin>(at, to_contact_point, radius_sum[i], i, block, motion);
     const Vec<D> v = contact_velocity<spin, is_wall(partner)>(at, motion, to_contact_point, radius_sum[i],
                                                               block.radius_difference[i]);
     if constexpr (spin)
