@@ -42,8 +42,8 @@ struct Mesh {
   }
 };
 
-// In the plane z = 0, [-half, half] squared, as a grid of n × m squares; `offset` moves the points of its inner
-// lines along the lines, in cells.
+// In the plane z = 0, [-half, half] squared, as a grid of n × m squares; `offset` moves the points of its
+// inner lines along the lines, in cells.
 inline Mesh flat_mesh(double half, std::size_t n, std::size_t m, double offset = 0) {
   Mesh mesh;
   for (std::size_t j = 0; j <= m; ++j)

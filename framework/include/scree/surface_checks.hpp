@@ -9,7 +9,8 @@ namespace scree {
 
 class Particles;
 
-// A line for each mesh: "pot: 12 triangles from (0, 0, 0) to (1, 1, 1) m, closed; 1 triangle of no area, left out".
+// A line for each mesh: "pot: 12 triangles from (0, 0, 0) to (1, 1, 1) m, closed; 1 triangle of no area,
+// left out".
 std::vector<std::string> mesh_lines(const WallSurfaces& surfaces);
 
 // Meshes whose size does not fit the bodies, as of a file in mm.

@@ -18,8 +18,8 @@
 
 namespace scree {
 
-// Candidate pair of a body and a wall; walls are numbered, the planes first, then the surfaces. A body may meet
-// a surface in several spots, which are numbered from 0.
+// Candidate pair of a body and a wall; walls are numbered, the planes first, then the surfaces. A body may
+// meet a surface in several spots, which are numbered from 0.
 struct PlanePair {
   std::uint32_t body, plane, spot = 0;
 };
@@ -166,8 +166,8 @@ class Contacts {
     std::uint8_t image;
     std::uint32_t row;
   };
-  // By which the pairs of a run are sorted: of two bodies, the lower place first; of a body and a wall, by its
-  // spots.
+  // By which the pairs of a run are sorted: of two bodies, the lower place first; of a body and a wall, by
+  // its spots.
   static std::uint64_t place_key(bool planes, std::uint32_t a, std::uint32_t b, std::uint8_t image);
   // Fills a group, which must be the next empty one, with pairs of a range that is sorted by place keys, and
   // history 0. choice.belongs(pair): to the group; choice.first(pair), choice.second(pair): its places, of

@@ -12,8 +12,8 @@
 
 namespace scree {
 
-// The spots in which bodies of one tile touch meshes. A body and a mesh have several pairs, one for each spot,
-// the nearest first; histories move from pair to pair with their spots, which pairs keep.
+// The spots in which bodies of one tile touch meshes. A body and a mesh have several pairs, one for each
+// spot, the nearest first; histories move from pair to pair with their spots, which pairs keep.
 class MeshSpots {
  public:
   // After a neighbour search: the next evaluations are of other pairs.
@@ -29,8 +29,8 @@ class MeshSpots {
     std::uint32_t place, wall, number;
     friend bool operator==(const Key&, const Key&) = default;
   };
-  // Spots of a body with a radius (m) at x in the frame of the mesh, in which it touches. Keys must be asked for in
-  // order of places and walls, the same ones in all evaluations of the same pairs.
+  // Spots of a body with a radius (m) at x in the frame of the mesh, in which it touches. Keys must be
+  // asked for in order of places and walls, the same ones in all evaluations of the same pairs.
   const std::vector<NearestPoint>& find(const TriangleMesh& mesh, const SpotRule& rule, const Key& key,
                                         const Vec3& x, double radius);
   // The pairs of a body and a mesh.
@@ -74,8 +74,8 @@ constexpr std::uint32_t spot_width = 7;
 void read_kept_spots(const PairGroup& group, std::size_t begin, std::size_t end,
                      std::vector<KeptSpot>& spots);
 
-// The spot that a pair has for a body (m) at x in the frame of its mesh, which may have moved since spots were
-// kept; none if it does not touch there.
+// The spot that a pair has for a body (m) at x in the frame of its mesh, which may have moved since spots
+// were kept; none if it does not touch there.
 std::optional<NearestPoint> spot_of_pair(const TriangleMesh& mesh, const SpotRule& rule, const Vec3& x,
                                          double radius, const Contacts& contacts, const PairGroup& group,
                                          std::size_t pair);

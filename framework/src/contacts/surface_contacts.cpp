@@ -74,22 +74,12 @@ void SurfaceContacts::place(std::vector<PlacedSurface> surfaces, std::size_t pla
   planes_ = planes;
 }
 
-void SurfaceContacts::resolve(std::size_t tile, Contacts& contacts, const Particles& p,
-                              const std::vector<std::uint8_t>& springs, PairConstants& constants) {
-  PairColumns& radii = constants.terms[SCREE_EFFECTIVE_RADIUS - SCREE_REDUCED_MASS];
-  double* const effective_radius = radii.size() > 0 ? radii.column(0) : nullptr;
-  mesh_spots_[tile].begin();
-  for (std::size_t g = 0; g < contacts.groups().size(); ++g) {
-    PairGroup& group = contacts.groups()[g];
-    if (!group.surfaces || group.runs.empty()) continue;
-    const std::size_t end = group.runs[tile].end;
-    for (std::size_t q = group.runs[tile].begin, next = q; q < end; q = next) {
-      const std::uint32_t a = contacts.a[q], b = contacts.b[q];
-      for (next = q + 1; next < end && contacts.a[next] == a && contacts.b[next] == b;) ++next;
-      resolve_pairs({surfaces_[b - planes_], a, b, q, next, springs[group.law] != 0},
-                    records_.first_row(g) - group.begin, p, mesh_spots_[tile], group, effective_radius);
-    }
-  }
+void SurfaceContacts::set(std::size_t row, const PlacedSurface& surface, const NearestPoint& nearest,
+                          const NearestPoint& middle, const Particles& p) {
+  write_record(surface, nearest.point, middle.point, p.dimension(), p.has_spin(), records_.record(row));
+  set_part(records_.normal(row), nearest.normal);
+  set_part(records_.mid_normal(row), middle.normal);
+  set_part(records_.lever(row), nearest.point - surface.origin());
 }
 
 [[gnu::flatten]] SCREE_EVERY_LEVEL void SurfaceContacts::resolve_pairs(const PairsOfBody& of,
@@ -127,12 +117,22 @@ void SurfaceContacts::resolve(std::size_t tile, Contacts& contacts, const Partic
   }
 }
 
-void SurfaceContacts::set(std::size_t row, const PlacedSurface& surface, const NearestPoint& nearest,
-                          const NearestPoint& middle, const Particles& p) {
-  write_record(surface, nearest.point, middle.point, p.dimension(), p.has_spin(), records_.record(row));
-  set_part(records_.normal(row), nearest.normal);
-  set_part(records_.mid_normal(row), middle.normal);
-  set_part(records_.lever(row), nearest.point - surface.origin());
+void SurfaceContacts::resolve(std::size_t tile, Contacts& contacts, const Particles& p,
+                              const std::vector<std::uint8_t>& springs, PairConstants& constants) {
+  PairColumns& radii = constants.terms[SCREE_EFFECTIVE_RADIUS - SCREE_REDUCED_MASS];
+  double* const effective_radius = radii.size() > 0 ? radii.column(0) : nullptr;
+  mesh_spots_[tile].begin();
+  for (std::size_t g = 0; g < contacts.groups().size(); ++g) {
+    PairGroup& group = contacts.groups()[g];
+    if (!group.surfaces || group.runs.empty()) continue;
+    const std::size_t end = group.runs[tile].end;
+    for (std::size_t q = group.runs[tile].begin, next = q; q < end; q = next) {
+      const std::uint32_t a = contacts.a[q], b = contacts.b[q];
+      for (next = q + 1; next < end && contacts.a[next] == a && contacts.b[next] == b;) ++next;
+      resolve_pairs({surfaces_[b - planes_], a, b, q, next, springs[group.law] != 0},
+                    records_.first_row(g) - group.begin, p, mesh_spots_[tile], group, effective_radius);
+    }
+  }
 }
 
 }  // namespace scree

@@ -21,8 +21,8 @@ class SurfaceContacts {
   // The surfaces of an evaluation, which are numbered behind `planes` planes, at the end of a step (s).
   void place(std::vector<PlacedSurface> surfaces, std::size_t planes, double step);
   bool any() const { return any_; }
-  // Finds the nearest points for the pairs of a tile, and the effective radii of its Hertzian contacts. Histories
-  // follow the spots of meshes. springs: of each law, whether its histories begin with one.
+  // Finds the nearest points for the pairs of a tile, and the effective radii of its Hertzian contacts.
+  // Histories follow the spots of meshes. springs: of each law, whether its histories begin with one.
   void resolve(std::size_t tile, Contacts& contacts, const Particles& particles,
                const std::vector<std::uint8_t>& springs, PairConstants& constants);
   const kernel::SurfaceRecords& records() const { return records_; }

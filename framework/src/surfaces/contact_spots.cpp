@@ -7,10 +7,8 @@
 
 namespace scree {
 
-namespace {
-
-[[gnu::flatten]] SCREE_EVERY_LEVEL SpotCandidate candidate_on(const TriangleMesh& mesh, std::uint32_t t,
-                                                              const Vec3& x) {
+[[gnu::flatten]] SCREE_EVERY_LEVEL SpotCandidate SpotCandidate::on(const TriangleMesh& mesh, std::uint32_t t,
+                                                                   const Vec3& x) {
   const Triangle& triangle = mesh.triangle(t);
   const PointOnTriangle nearest = nearest_on(triangle, x);
   if (nearest.part == TrianglePart::face) {
@@ -22,6 +20,8 @@ namespace {
   const double distance = norm(away);
   return {nearest.point, distance > 0 ? 1 / distance * away : triangle.normal, distance, t, nearest.part};
 }
+
+namespace {
 
 // Whether the distance from x is smaller elsewhere on a triangle that has the point of a candidate. Earlier
 // candidates are nearer; faces are never passed.
@@ -53,7 +53,7 @@ const std::vector<NearestPoint>& SpotFinder::find(const TriangleMesh& mesh, cons
   candidates_.clear();
   spots_.clear();
   for (const TriangleMesh::Near& triangle : near)
-    if (const SpotCandidate c = candidate_on(mesh, triangle.triangle, x); c.distance < reach)
+    if (const SpotCandidate c = SpotCandidate::on(mesh, triangle.triangle, x); c.distance < reach)
       candidates_.push_back(c);
   std::sort(candidates_.begin(), candidates_.end(), [](const SpotCandidate& a, const SpotCandidate& b) {
     return std::tie(a.distance, a.triangle) < std::tie(b.distance, b.triangle);
@@ -75,12 +75,12 @@ const std::vector<NearestPoint>& SpotFinder::find(const TriangleMesh& mesh, cons
 }
 
 NearestPoint nearest_spot(const TriangleMesh& mesh, const SpotRule& rule, const Vec3& x) {
-  const SpotCandidate c = candidate_on(mesh, mesh.nearest(x).triangle, x);
+  const SpotCandidate c = SpotCandidate::on(mesh, mesh.nearest(x).triangle, x);
   return is_allowed(mesh, rule, c) ? in_front(c) : behind(c);
 }
 
-// Directions to x that lie within half an angle of one are within the angle of each other, and so are those of
-// the edges and corners between the triangles.
+// Directions to x that lie within half an angle of one are within the angle of each other, and so are
+// those of the edges and corners between the triangles.
 std::size_t spots_possible(const TriangleMesh& mesh, const SpotRule& rule, const Vec3& x,
                            std::span<const TriangleMesh::Near> near) {
   const auto towards = [&](std::uint32_t t) {

@@ -25,16 +25,19 @@ struct SpotCandidate {
   double distance;
   std::uint32_t triangle;
   TrianglePart part;
+
+  // Of a triangle, for a centre x.
+  static SpotCandidate on(const TriangleMesh& mesh, std::uint32_t triangle, const Vec3& x);
 };
 
-// Finds the spots in which a body may touch a mesh: where the distance from its centre has a local minimum over
-// the surface. Of two whose directions from the centre differ by less than an angle, the nearer one counts, so
-// that a surface that bends a little from triangle to triangle, or has cracks, is touched once. With one side, a
-// centre that is behind the surface has one spot, the nearest, with a distance below 0.
+// Finds the spots in which a body may touch a mesh: where the distance from its centre has a local minimum
+// over the surface. Of two whose directions from the centre differ by less than an angle, the nearer one
+// counts, so that a surface that bends a little from triangle to triangle, or has cracks, is touched once.
+// With one side, a centre that is behind the surface has one spot, the nearest, with a distance below 0.
 class SpotFinder {
  public:
-  // The nearest first, for a centre x. near: all triangles that come nearer than `reach` (m), to which spots are
-  // looked for. Valid until the next call.
+  // The nearest first, for a centre x. near: all triangles that come nearer than `reach` (m), to which
+  // spots are looked for. Valid until the next call.
   const std::vector<NearestPoint>& find(const TriangleMesh& mesh, const SpotRule& rule, const Vec3& x,
                                         double reach, std::span<const TriangleMesh::Near> near);
 
@@ -46,8 +49,8 @@ class SpotFinder {
 // The nearest spot of all.
 NearestPoint nearest_spot(const TriangleMesh& mesh, const SpotRule& rule, const Vec3& x);
 
-// Most spots that a body may have while it moves among the triangles `near` it, on the side on which its centre
-// x is: 1 if they bend by less than the angle of the rule.
+// Most spots that a body may have while it moves among the triangles `near` it, on the side on which its
+// centre x is: 1 if they bend by less than the angle of the rule.
 std::size_t spots_possible(const TriangleMesh& mesh, const SpotRule& rule, const Vec3& x,
                            std::span<const TriangleMesh::Near> near);
 
@@ -57,8 +60,8 @@ struct KeptSpot {
   std::size_t pair;
 };
 
-// The former spot of each spot, or -1: the nearest one, if both are seen from x within the angle of the rule, or
-// 0.35 rad if that is less.
+// The former spot of each spot, or -1: the nearest one, if both are seen from x within the angle of the
+// rule, or 0.35 rad if that is less.
 class SpotMatches {
  public:
   void find(const SpotRule& rule, const Vec3& x, std::span<const NearestPoint> spots,

@@ -1,7 +1,5 @@
 #include "surfaces/nearest_point.hpp"
 
-#include "machine/instruction_levels.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -104,8 +102,7 @@ const char* problem_of_mesh(const scree_surface& s, int dimension) {
 
 }  // namespace
 
-[[gnu::flatten]] SCREE_EVERY_LEVEL NearestPoint nearest_point(const scree_surface& surface, int dimension,
-                                                              const Vec3& x) {
+NearestPoint nearest_point(const scree_surface& surface, int dimension, const Vec3& x) {
   switch (surface.shape) {
     case SCREE_FLAT:
       return on_flat(surface, dimension, x);

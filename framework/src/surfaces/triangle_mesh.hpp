@@ -48,8 +48,8 @@ class TriangleMesh {
   // looked for; it is then the distance.
   Near nearest(const Vec3& x, double most = std::numeric_limits<double>::infinity()) const;
 
-  // A point in which two triangles without a common corner cross, and one where the mesh folds back on itself;
-  // none if there is none.
+  // A point in which two triangles without a common corner cross, and one where the mesh folds back on
+  // itself; none if there is none.
   std::optional<Vec3> crossing() const;
   std::optional<Vec3> fold() const;
 

@@ -20,8 +20,8 @@ namespace {
 constexpr double hollow = 8.12, lid = 20;  // the outermost spheres touch each of them from the start
 constexpr int steps_of_drum = sanitized ? 30 : 150;
 
-// Spheres that fill a turning drum with two end plates, one of which turns alone; of several tiles. The mantle is
-// a cylinder or a mesh with its lower plate, whose edge is touched twice.
+// Spheres that fill a turning drum with two end plates, one of which turns alone; of several tiles. The
+// mantle is a cylinder or a mesh with its lower plate, whose edge is touched twice.
 Scene drum_of_spheres(bool mesh) {
   std::vector<Body> bodies;
   for (int x = -7; x <= 7; ++x)

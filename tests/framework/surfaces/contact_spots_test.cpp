@@ -31,9 +31,9 @@ Key key_of(const Vec3& p) {
   return {rounded(p[0]), rounded(p[1]), rounded(p[2])};
 }
 
-// All local minima of the distance from x, by what is nearest: a face over which x lies, an edge in the plane
-// through x across it whose faces fall away on both sides, a corner whose edges all lead away. By bodies of more
-// than one triangle; corners that have the same coordinates are one.
+// All local minima of the distance from x, by what is nearest: a face over which x lies, an edge in the
+// plane through x across it whose faces fall away on both sides, a corner whose edges all lead away. By
+// bodies of more than one triangle; corners that have the same coordinates are one.
 std::vector<Minimum> all_minima(const Mesh& mesh, const Vec3& x) {
   std::vector<Minimum> minima;
   std::map<Key, Vec3> place;
@@ -101,9 +101,9 @@ SpotRule both_sides(double angle) { return {SCREE_BOTH_SIDES, std::cos(angle)}; 
 
 }  // namespace
 
-// Random hills from gentle to jagged, boxes and spheres, with small and large bodies, from deep overlaps to
-// none. Where a spot is: round-off of 1 m over slivers of 1e-3. A few cases in a million lie on the limit of a
-// rule by chance; in none here.
+// Random hills from gentle to jagged, boxes and spheres, with small and large bodies, from deep overlaps
+// to none. Where a spot is: round-off of 1 m over slivers of 1e-3. A few cases in a million lie on the
+// limit of a rule by chance; in none here.
 TEST_CASE("spots of a mesh are those of all faces, edges and corners", "[surfaces]") {
   std::mt19937_64 random(45);
   std::uniform_real_distribution<double> uniform(0, 1);

@@ -227,8 +227,8 @@ Vec3 place_after(const OnCurvedWall& c, std::size_t parts, double turn) {
   add_weight(sc);
   Simulation s(sc);
   run(s, std::uint64_t(std::llround(c.time / sc.step)));
-  // A step in which the normal turns by α at an edge misses up to m g α v h, in all m g s v h/R along a path s:
-  // of m g R, s v h/R² = 0.5 m × 1.5 m/s × 2e-5 s/(0.15 m)².
+  // A step in which the normal turns by α at an edge misses up to m g α v h, in all m g s v h/R along a
+  // path s: of m g R, s v h/R² = 0.5 m × 1.5 m/s × 2e-5 s/(0.15 m)².
   CHECK(std::abs(s.energy_residual()) < 7e-4);
   return position(s, 0);
 }
@@ -279,9 +279,9 @@ std::vector<OnCurvedWall> curved_walls() {
 
 }  // namespace
 
-// The springs are soft enough for a body to meet several edges within a period of its contact; with fewer it
-// is thrown from facet to facet. Facets of a sphere tilt a path to its sides too, at random, so that the place
-// across it has order 3/2, and the height, which energy determines, has order 2.
+// The springs are soft enough for a body to meet several edges within a period of its contact; with fewer
+// it is thrown from facet to facet. Facets of a sphere tilt a path to its sides too, at random, so that
+// the place across it has order 3/2, and the height, which energy determines, has order 2.
 TEST_CASE("triangulated walls converge to the exact ones with second order", "[surfaces]") {
   std::vector<OnCurvedWall> walls = curved_walls();
   if (sanitized) walls.resize(1);

@@ -66,8 +66,8 @@ double force_on(const std::string& plugin, Values values, double distance, doubl
 
 }  // namespace
 
-// F ∝ √R*, relative to a flat wall. A cylinder leaves out F₂ of Johnson's eq. 4.26: 0.02 κ², and 0.035 κ² where
-// it is hollow, for curvatures κ up to a half.
+// F ∝ √R*, relative to a flat wall. A cylinder leaves out F₂ of Johnson's eq. 4.26: 0.02 κ², and 0.035 κ²
+// where it is hollow, for curvatures κ up to a half.
 TEST_CASE("the curvature of a wall enters the effective radius of Hertz contacts", "[surfaces]") {
   constexpr double radius = 0.01, overlap = 1e-5;
   REQUIRE(elliptic_stiffness(1e-6) == Approx(4.0 / 3).epsilon(1e-6));

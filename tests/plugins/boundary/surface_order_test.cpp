@@ -13,8 +13,8 @@ using namespace scree::test;
 
 namespace {
 
-constexpr double radius = 0.01, mass = 0.0105, weight = 9.81 * mass, stiffness = 5e4;
-const Values law_of_order = {{"normal_stiffness", {stiffness}},
+constexpr double ball_radius = 0.01, ball_mass = 0.0105, ball_weight = 9.81 * ball_mass, wall_stiffness = 5e4;
+const Values law_of_order = {{"normal_stiffness", {wall_stiffness}},
                              {"normal_damping", {3}},
                              {"tangential_stiffness", {2e4}},
                              {"tangential_damping", {3}},
@@ -33,7 +33,7 @@ struct After {
 };
 
 After after(const Rolling& c, double step) {
-  Scene sc = scene(3, step, {body(1, radius, mass, c.x, c.velocity, c.spin)}, law_of_order);
+  Scene sc = scene(3, step, {body(1, ball_radius, ball_mass, c.x, c.velocity, c.spin)}, law_of_order);
   c.add_wall(sc);
   add_body_force(sc, "gravity", {{"acceleration", {c.gravity[0], c.gravity[1], c.gravity[2]}}});
   Simulation s(sc);
@@ -42,7 +42,7 @@ After after(const Rolling& c, double step) {
 }
 
 std::vector<Rolling> rolling_balls() {
-  constexpr double sunk = radius - weight / stiffness, hollow = 0.05;
+  constexpr double sunk = ball_radius - ball_weight / wall_stiffness, hollow = 0.05;
   const auto disc = [](Scene& sc) {
     add_boundary(sc, "disc",
                  {{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}, {"radius", {0.4}}, {"spin", {10}}});
@@ -69,8 +69,8 @@ std::vector<Rolling> rolling_balls() {
 
 }  // namespace
 
-// Springs advance by what the contact points move at the middle of a step, with the normal there and the material
-// of the wall that is there then.
+// Springs advance by what the contact points move at the middle of a step, with the normal there and the
+// material of the wall that is there then.
 TEST_CASE("springs on walls that turn and are curved are of second order", "[surfaces]") {
   for (const Rolling& c : rolling_balls()) {
     const After coarse = after(c, 4e-5), middle = after(c, 2e-5), fine = after(c, 1e-5);

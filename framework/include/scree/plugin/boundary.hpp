@@ -62,8 +62,8 @@ struct Surface : scree_surface {
   static Surface ball(double radius, double low, double high, scree_side side) {
     return {{SCREE_BALL, std::uint32_t(side), {radius, low, high}, nullptr, 0}};
   }
-  // Triangles, by the value of a parameter Declaration::mesh. smooth_angle: (rad) below which two spots count as
-  // one.
+  // Triangles, by the value of a parameter Declaration::mesh. smooth_angle: (rad) below which two spots
+  // count as one.
   static Surface mesh(const scree_value& triangles, double scale, double smooth_angle, scree_side side) {
     return {{SCREE_MESH, std::uint32_t(side), {scale, smooth_angle}, triangles.data, triangles.count}};
   }

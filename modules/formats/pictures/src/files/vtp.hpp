@@ -12,7 +12,8 @@ std::string particles_vtp(const Frame& frame);
 std::string contacts_vtp(const Frame& frame);
 std::string surfaces_vtp(const Frame& frame);
 
-// Reads a particles .vtp file and the contacts and surfaces files in the same directory, if any. Throws scree::Error.
+// Reads a particles .vtp file and the contacts and surfaces files in the same directory, if any. Throws
+// scree::Error.
 Frame read_vtp(const std::filesystem::path& particles_file);
 
 // Names of the arrays in the files.
