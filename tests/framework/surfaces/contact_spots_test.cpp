@@ -37,7 +37,7 @@ Key key_of(const Vec3& p) {
 std::vector<Minimum> all_minima(const Mesh& mesh, const Vec3& x) {
   std::vector<Minimum> minima;
   std::map<Key, Vec3> place;
-  std::map<Key, std::vector<Vec3>> around;                             // edges from each corner
+  std::map<Key, std::vector<Vec3>> edges_from;                         // edges from each corner
   std::map<std::pair<Key, Key>, std::vector<std::array<Vec3, 3>>> at;  // triangles at each edge, it first
   for (const auto& triangle : mesh.triangles) {
     const Vec3 c[3] = {mesh.points[triangle[0]], mesh.points[triangle[1]], mesh.points[triangle[2]]};
@@ -53,7 +53,7 @@ std::vector<Minimum> all_minima(const Mesh& mesh, const Vec3& x) {
     for (int k = 0; k < 3; ++k) {
       const Vec3 &p = c[k], &q = c[(k + 1) % 3], &r = c[(k + 2) % 3];
       place[key_of(p)] = p;
-      around[key_of(p)].push_back(q - p), around[key_of(p)].push_back(r - p);
+      edges_from[key_of(p)].push_back(q - p), edges_from[key_of(p)].push_back(r - p);
       key_of(p) < key_of(q) ? at[{key_of(p), key_of(q)}].push_back({p, q, r})
                             : at[{key_of(q), key_of(p)}].push_back({q, p, r});
     }
@@ -66,7 +66,7 @@ std::vector<Minimum> all_minima(const Mesh& mesh, const Vec3& x) {
                                    [&](const auto& of) { return dot(x - foot, of[2] - foot) <= 0; });
     if (share > 0 && share < 1 && falls) minima.push_back({foot, norm(x - foot)});
   }
-  for (const auto& [corner, edges] : around) {
+  for (const auto& [corner, edges] : edges_from) {
     const Vec3 p = place.at(corner);
     if (std::all_of(edges.begin(), edges.end(), [&](const Vec3& edge) { return dot(x - p, edge) <= 0; }))
       minima.push_back({p, norm(x - p)});
