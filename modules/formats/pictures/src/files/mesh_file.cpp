@@ -153,7 +153,8 @@ std::vector<double> numbers_of(const std::filesystem::path& file) {
       corners.push_back(points.number_of(x));
     }
   }
-  std::vector<double> numbers = {double(points.all().size() / 3)};
+  const std::size_t count = points.all().size() / 3;
+  std::vector<double> numbers = {double(count)};
   numbers.insert(numbers.end(), points.all().begin(), points.all().end());
   numbers.insert(numbers.end(), corners.begin(), corners.end());
   return numbers;
