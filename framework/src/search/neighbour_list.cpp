@@ -4,7 +4,6 @@
 #include "ranks/bodies_near.hpp"
 #include "ranks/rank_sums.hpp"
 #include "ranks/row_routes.hpp"
-#include "surfaces/placed_surface.hpp"
 #include "walls/plane_transfer.hpp"
 
 #include <algorithm>
@@ -44,47 +43,6 @@ std::vector<NeighbourPair> without_fixed_pairs(const std::vector<NeighbourPair>&
   std::copy_if(all.begin(), all.end(), std::back_inserter(pairs),
                [&](const NeighbourPair& pair) { return !p.fixed[pair.a] || !p.fixed[pair.b]; });
   return pairs;
-}
-
-// Most spots in which a body may touch a surface before the next search. clearance: (m) a lower bound of the
-// distance between them; is set if it is shorter than the skin.
-std::size_t spots_near(const PlacedSurface& surface, const Sphere& body, double skin, double& clearance,
-                       std::vector<TriangleMesh::Near>& near) {
-  if (clearance >= skin) return 0;
-  if (!surface.mesh()) {
-    clearance = surface.nearest(body.position).distance - body.radius;
-    return clearance < skin;
-  }
-  const Vec3 here = surface.in_frame(body.position);
-  surface.mesh()->find_near(here, body.radius + skin, near);
-  // Beyond some skins a bound will do: from the axis of a drum all triangles are equally near.
-  constexpr double skins = 30;
-  clearance = (near.empty() ? surface.mesh()->nearest(here, body.radius + skins * skin) : near[0]).distance -
-              body.radius;
-  return spots_possible(*surface.mesh(), surface.rule(), here, near);
-}
-
-// Walls near the bodies of a range, of each body in the order of their numbers.
-void add_near_walls(std::span<const Sphere> bodies, BodyRange range, const Boundaries& boundaries,
-                    const std::vector<PlacedSurface>& surfaces, int dimension, double skin,
-                    double* clearances, std::vector<PlanePair>& pairs) {
-  const std::vector<scree_plane>& planes = boundaries.planes();
-  std::vector<TriangleMesh::Near> near;
-  for (std::uint32_t i = std::uint32_t(range.begin); i < range.end; ++i) {
-    for (std::uint32_t w = 0; w < planes.size(); ++w) {
-      if (boundaries.absent()[w]) continue;
-      double height = 0;
-      for (int k = 0; k < dimension; ++k)
-        height += (bodies[i].position[k] - planes[w].point[k]) * planes[w].normal[k];
-      if (height < bodies[i].radius + skin) pairs.push_back({i, w});
-    }
-    for (std::uint32_t s = 0; s < surfaces.size(); ++s) {
-      const std::size_t spots =
-          spots_near(surfaces[s], bodies[i], skin, clearances[i * surfaces.size() + s], near);
-      for (std::uint32_t spot = 0; spot < spots; ++spot)
-        pairs.push_back({i, std::uint32_t(planes.size()) + s, spot});
-    }
-  }
 }
 
 }  // namespace
@@ -180,45 +138,17 @@ void NeighbourList::search(double moved, Particles& particles, const Boundaries&
   const int dimension = particles.dimension();
   const std::vector<NeighbourPair>& found = find_pairs(moved, particles, boundaries.domain(), threads);
   const std::vector<NeighbourPair> some = without_fixed_pairs(found, particles);
-  const std::vector<PlacedSurface> surfaces = placed_surfaces(boundaries.surfaces(), dimension);
-  if (!surfaces.empty()) shorten_clearances(moved, surfaces, boundaries.domain());
-  const std::vector<PlanePair> near_walls = walls_near_bodies(boundaries, surfaces, dimension, threads);
+  const std::vector<PlanePair> near_walls = near_walls_.find(
+      bodies_at_search_, own_tiles(particles.size()), boundaries, skin_, moved + surface_travel_, threads);
   contacts.rebuild(particles.fixed.empty() ? found : some,  // no copy of what was found
                    near_walls, lookup, particles.order(), threads);
   planes_at_search_ = boundaries.planes();
   absent_at_search_ = boundaries.absent();
   body_travel_ = plane_travel_ = surface_travel_ = 0;
-  if (!surfaces.empty()) measure_reach(boundaries);
+  if (boundaries.surfaces().size() > 0) measure_reach(boundaries);
   steps_ = 0;
   ++rebuilds_;
   compare_order(contacts, dimension);
-}
-
-// Bodies that are folded into a period come to other places of surfaces.
-void NeighbourList::shorten_clearances(double moved, const std::vector<PlacedSurface>& surfaces,
-                                       const Domain& domain) {
-  constexpr double unknown = -std::numeric_limits<double>::infinity();
-  const std::size_t count = bodies_at_search_.size() * surfaces.size();
-  const double approach = moved + surface_travel_;
-  if (clearances_.size() != count || domain.any_periodic() || !std::isfinite(approach))
-    clearances_.assign(count, unknown);
-  for (std::size_t k = 0; k < count; ++k)
-    clearances_[k] = surfaces[k % surfaces.size()].distance_jumps() ? unknown : clearances_[k] - approach;
-}
-
-std::vector<PlanePair> NeighbourList::walls_near_bodies(const Boundaries& boundaries,
-                                                        const std::vector<PlacedSurface>& surfaces,
-                                                        int dimension, ThreadPool& threads) {
-  const std::vector<std::uint32_t> own = own_tiles(bodies_at_search_.size());
-  const BodyTiles tiles(bodies_at_search_.size());
-  std::vector<std::vector<PlanePair>> near(own.size());
-  threads.each(own.size(), [&](std::size_t k, unsigned) {
-    add_near_walls(bodies_at_search_, tiles[own[k]], boundaries, surfaces, dimension, skin_,
-                   clearances_.data(), near[k]);
-  });
-  std::vector<PlanePair> all;
-  for (const std::vector<PlanePair>& of_tile : near) all.insert(all.end(), of_tile.begin(), of_tile.end());
-  return all;
 }
 
 // A body may come nearer by a skin, and meet what is a radius away.
@@ -283,7 +213,7 @@ void NeighbourList::rearrange(const std::vector<std::uint32_t>& from, std::span<
   rearrange_rows(bodies_at_search_, 1, from, kept);
   better_order_.clear();
   near_covered_ = 0;
-  clearances_.clear();
+  near_walls_.forget();
 }
 
 // In scene order.

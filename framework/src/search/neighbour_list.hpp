@@ -3,6 +3,7 @@
 #include "contacts/contacts.hpp"
 #include "ranks/bodies_near.hpp"
 #include "ranks/rank_share.hpp"
+#include "search/near_walls.hpp"
 #include "search/repeated_search.hpp"
 #include "search/skin_choice.hpp"
 #include "walls/boundaries.hpp"
@@ -61,7 +62,7 @@ class NeighbourList {
   // After tiles have been dealt to ranks.
   void forget_near_bodies() {
     near_covered_ = 0;
-    clearances_.clear();
+    near_walls_.forget();
   }
 
   const std::vector<double>& surface_reach() const { return surface_reach_; }
@@ -82,11 +83,6 @@ class NeighbourList {
   // moved: bound of the displacement of any body since the last search (m).
   void search(double moved, Particles& particles, const Boundaries& boundaries, Contacts& contacts,
               ThreadPool& threads);
-  std::vector<PlanePair> walls_near_bodies(const Boundaries& boundaries,
-                                           const std::vector<class PlacedSurface>& surfaces, int dimension,
-                                           ThreadPool& threads);
-  void shorten_clearances(double moved, const std::vector<class PlacedSurface>& surfaces,
-                          const Domain& domain);
   void record_positions(Particles& particles, const Domain& domain, ThreadPool& threads);
   void transfer_bodies(const class StateTransfer& state, const BodyOrder& order);
   void transfer_crossing(const class StateTransfer& state);
@@ -116,8 +112,7 @@ class NeighbourList {
   std::vector<NeighbourPair> own_pairs_;
   double body_travel_ = 0, plane_travel_ = 0, surface_travel_ = 0;  // (m) bounds since the last search
   std::vector<double> surface_reach_;
-  std::vector<double>
-      clearances_;  // (bodies, surfaces) (m) lower bounds of their distance at the last search
+  NearWalls near_walls_;
   BodyColumn<Sphere> bodies_at_search_;  // bodies at the last search
   std::vector<scree_plane> planes_at_search_;
   std::vector<std::uint8_t> absent_at_search_;

@@ -1,0 +1,81 @@
+#include "search/near_walls.hpp"
+
+#include "surfaces/placed_surface.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace scree {
+
+namespace {
+
+// Most spots in which a body may touch a surface before the next search. clearance: (m) a lower bound of the
+// distance between them; is set if it is shorter than the skin.
+std::size_t spots_near(const PlacedSurface& surface, const Sphere& body, double skin, double& clearance,
+                       std::vector<TriangleMesh::Near>& near) {
+  if (clearance >= skin) return 0;
+  if (!surface.mesh()) {
+    clearance = surface.nearest(body.position).distance - body.radius;
+    return clearance < skin;
+  }
+  const Vec3 here = surface.in_frame(body.position);
+  surface.mesh()->find_near(here, body.radius + skin, near);
+  // Beyond some skins a bound will do: from the axis of a drum all triangles are equally near.
+  constexpr double skins = 30;
+  clearance = (near.empty() ? surface.mesh()->nearest(here, body.radius + skins * skin) : near[0]).distance -
+              body.radius;
+  return spots_possible(*surface.mesh(), surface.rule(), here, near);
+}
+
+// Walls near the bodies of a range, of each body in the order of their numbers.
+void add_near_walls(std::span<const Sphere> bodies, BodyRange range, const Boundaries& boundaries,
+                    const std::vector<PlacedSurface>& surfaces, int dimension, double skin,
+                    double* clearances, std::vector<PlanePair>& pairs) {
+  const std::vector<scree_plane>& planes = boundaries.planes();
+  std::vector<TriangleMesh::Near> near;
+  for (std::uint32_t i = std::uint32_t(range.begin); i < range.end; ++i) {
+    for (std::uint32_t w = 0; w < planes.size(); ++w) {
+      if (boundaries.absent()[w]) continue;
+      double height = 0;
+      for (int k = 0; k < dimension; ++k)
+        height += (bodies[i].position[k] - planes[w].point[k]) * planes[w].normal[k];
+      if (height < bodies[i].radius + skin) pairs.push_back({i, w});
+    }
+    for (std::uint32_t s = 0; s < surfaces.size(); ++s) {
+      const std::size_t spots =
+          spots_near(surfaces[s], bodies[i], skin, clearances[i * surfaces.size() + s], near);
+      for (std::uint32_t spot = 0; spot < spots; ++spot)
+        pairs.push_back({i, std::uint32_t(planes.size()) + s, spot});
+    }
+  }
+}
+
+}  // namespace
+
+// Bodies that are folded into a period come to other places of surfaces.
+void NearWalls::shorten_clearances(double approach, std::size_t bodies,
+                                   const std::vector<PlacedSurface>& surfaces, const Domain& domain) {
+  constexpr double unknown = -std::numeric_limits<double>::infinity();
+  const std::size_t count = bodies * surfaces.size();
+  if (clearances_.size() != count || domain.any_periodic() || !std::isfinite(approach))
+    clearances_.assign(count, unknown);
+  for (std::size_t k = 0; k < count; ++k)
+    clearances_[k] = surfaces[k % surfaces.size()].distance_jumps() ? unknown : clearances_[k] - approach;
+}
+
+std::vector<PlanePair> NearWalls::find(std::span<const Sphere> bodies,
+                                       const std::vector<std::uint32_t>& tiles, const Boundaries& boundaries,
+                                       double skin, double approach, ThreadPool& threads) {
+  const std::vector<PlacedSurface> surfaces = placed_surfaces(boundaries.surfaces(), boundaries.dimension());
+  shorten_clearances(approach, bodies.size(), surfaces, boundaries.domain());
+  std::vector<std::vector<PlanePair>> near(tiles.size());
+  threads.each(tiles.size(), [&](std::size_t k, unsigned) {
+    add_near_walls(bodies, BodyTiles(bodies.size())[tiles[k]], boundaries, surfaces, boundaries.dimension(),
+                   skin, clearances_.data(), near[k]);
+  });
+  std::vector<PlanePair> all;
+  for (const std::vector<PlanePair>& of_tile : near) all.insert(all.end(), of_tile.begin(), of_tile.end());
+  return all;
+}
+
+}  // namespace scree
