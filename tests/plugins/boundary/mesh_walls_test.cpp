@@ -283,9 +283,12 @@ std::vector<OnCurvedWall> curved_walls() {
 // it is thrown from facet to facet. Facets of a sphere tilt a path to its sides too, at random, so that
 // the place across it has order 3/2, and the height, which energy determines, has order 2.
 TEST_CASE("triangulated walls converge to the exact ones with second order", "[surfaces]") {
-  std::vector<OnCurvedWall> walls = curved_walls();
-  if (sanitized) walls.resize(1);
-  for (const OnCurvedWall& c : walls) {
+  for (OnCurvedWall c : curved_walls()) {
+    if (sanitized) {  // which takes minutes for all steps
+      c.time /= 50;
+      CHECK(std::isfinite(norm(place_after(c, 128, 0.1))));
+      continue;
+    }
     const FromExact coarse = from_exact(c, 128), fine = from_exact(c, 512);
     const double of_distance = std::log2(coarse.distance / fine.distance) / 2,
                  of_height = std::log2(coarse.height / fine.height) / 2;
