@@ -129,7 +129,8 @@ void Forces::evaluate(const Evaluation& e, ThreadPool& threads, const FinishPart
                                          .max_overlap_ratio = work.max_overlap_ratio,
                                          .surfaces = &work.surfaces.records()};
   std::vector<std::uint8_t> springs;
-  for (const LawInstance& law : e.laws) springs.push_back(keeps_spring(law, features_.dimension));
+  if (work.surfaces.any())
+    for (const LawInstance& law : e.laws) springs.push_back(keeps_spring(law, features_.dimension));
   const auto evaluate_pairs = [&](std::size_t tile, unsigned worker, kernel::TilePairs pairs) {
     if (work.surfaces.any() && pairs != kernel::TilePairs::crossing)
       work.surfaces.resolve(tile, e.contacts, e.particles, springs, work.constants);

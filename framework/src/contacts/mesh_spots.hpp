@@ -70,7 +70,7 @@ class MeshSpots {
 // Numbers of a pair in PairGroup::spots.
 constexpr std::uint32_t spot_width = 7;
 
-// Replaces `spots` by those that the pairs [begin, end) of a body and a mesh keep, of those that touched.
+// Replaces `spots` by the spots of the pairs [begin, end) of a body and a mesh, as far as these touched.
 void read_kept_spots(const PairGroup& group, std::size_t begin, std::size_t end,
                      std::vector<KeptSpot>& spots);
 

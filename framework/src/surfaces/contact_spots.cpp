@@ -79,8 +79,8 @@ NearestPoint nearest_spot(const TriangleMesh& mesh, const SpotRule& rule, const 
   return is_allowed(mesh, rule, c) ? in_front(c) : behind(c);
 }
 
-// Directions to x that lie within half an angle of one are within the angle of each other, and so are
-// those of the edges and corners between the triangles.
+// Directions to x within half an angle of a common one are within the whole angle of each other. Edges and
+// corners between the triangles have directions between these.
 std::size_t spots_possible(const TriangleMesh& mesh, const SpotRule& rule, const Vec3& x,
                            std::span<const TriangleMesh::Near> near) {
   const auto towards = [&](std::uint32_t t) {

@@ -91,7 +91,7 @@ const char* problem_of_revolved(const scree_surface& s) {
   return r0 != r1 || z0 != z1 ? "" : "its line has no length";
 }
 
-// The numbers themselves are those of TriangleMesh.
+// TriangleMesh checks the numbers themselves.
 const char* problem_of_mesh(const scree_surface& s, int dimension) {
   if (dimension == 2) return "a 2D scene has no meshes";
   if (!(s.size[0] > 0 && std::isfinite(s.size[0]))) return "its scale is not above 0";

@@ -8,6 +8,12 @@ namespace {
 
 Vec3 vector(const double (&v)[3]) { return {{v[0], v[1], v[2]}}; }
 
+// The same on all machines, unlike the library's cosine.
+double cosine_of(double angle) {
+  const double half = 1 + half_angle_of({{angle, 0, 0}}).cosine_minus_one;
+  return 2 * half * half - 1;
+}
+
 }  // namespace
 
 // A turn by θ about an axis moves what is at r in its middle by 2 sin(θ/2) axis × r.
@@ -27,6 +33,7 @@ PlacedSurface::PlacedSurface(const scree_surface& surface, const TriangleMesh* m
       mid_origin_(origin_ - 0.5 * step * mid_velocity_),
       to_scene_{frame.orientation[0], {{frame.orientation[1], frame.orientation[2], frame.orientation[3]}}},
       mid_to_scene_(Rotation::by(-0.5 * step * mid_spin_) * to_scene_),
+      cosine_smooth_(mesh ? cosine_of(surface.size[1]) : 1),
       chord_(step != 0 ? 2 / step * half_angle_of(step * mid_spin_).sine : mid_spin_) {}
 
 [[gnu::flatten]] SCREE_EVERY_LEVEL NearestPoint PlacedSurface::nearest(const Vec3& x) const {

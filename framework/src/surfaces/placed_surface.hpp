@@ -25,7 +25,7 @@ class PlacedSurface {
     return !mesh_ && surface_.side != SCREE_BOTH_SIDES && has_edges(surface_, dimension_);
   }
   // How a body touches the mesh.
-  SpotRule rule() const { return {surface_.side, std::cos(surface_.size[1])}; }
+  SpotRule rule() const { return {surface_.side, cosine_smooth_}; }
   // From the scene to the frame of the surface, and back.
   Vec3 in_frame(const Vec3& x) const { return to_scene_.back()(x - origin_); }
   NearestPoint in_scene(NearestPoint found) const;
@@ -51,6 +51,7 @@ class PlacedSurface {
   int dimension_;
   Vec3 origin_, velocity_, spin_, mid_velocity_, mid_spin_, mid_origin_;
   Rotation to_scene_, mid_to_scene_;
+  double cosine_smooth_;
   Vec3 chord_;  // (rad/s) times a place in the middle of a turn: its displacement / step
 };
 

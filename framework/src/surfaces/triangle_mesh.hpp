@@ -35,7 +35,7 @@ struct MeshFindings {
 class TriangleMesh {
  public:
   // numbers: as of a parameter of the type SCREE_MESH_FILE; lengths are multiplied by `scale`. Throws Error
-  // if they are no mesh: "the mesh has no triangles"; cures are those of the file.
+  // without a cure if they are no mesh: "the mesh has no triangles".
   TriangleMesh(std::span<const double> numbers, double scale);
 
   struct Near {
