@@ -10,7 +10,7 @@ namespace scree {
 namespace {
 
 // Triangles are looked for anew when a body has moved by this part of its radius.
-constexpr double margin = 0.05;
+constexpr double margin = 0.1;
 
 }  // namespace
 
@@ -26,19 +26,15 @@ MeshSpots::Surroundings MeshSpots::known_before(const Key& key) {
 }
 
 const std::vector<NearestPoint>& MeshSpots::find(const TriangleMesh& mesh, const SpotRule& rule,
-                                                 const Key& key, const Vec3& x, double radius) {
+                                                 const Key& key, const SpotQuery& query) {
   if (next_ == surroundings_.size()) surroundings_.push_back(known_before(key));
   Surroundings& of = surroundings_[next_++];
-  double moved = norm(x - of.centre);
-  if (!(moved <= margin * radius)) {
-    mesh.find_near(x, (1 + margin) * radius, of.near);
-    of.centre = x, moved = 0;
+  double moved = norm(query.centre - of.centre);
+  if (!(moved <= margin * query.reach)) {
+    mesh.triangles().find_near(query.centre, distance_slack * (1 + margin) * query.reach, of.near);
+    of.centre = query.centre, moved = 0;
   }
-  const auto reached = std::partition_point(
-      of.near.begin(), of.near.end(),
-      [&](const TriangleMesh::Near& triangle) { return triangle.distance <= radius + moved; });
-  if (reached == of.near.begin()) return none_;
-  return finder_.find(mesh, rule, x, radius, std::span(of.near.begin(), reached));
+  return finder_.find(mesh, rule, {query.centre, query.reach, query.most, moved}, of.near);
 }
 
 namespace {
@@ -126,10 +122,10 @@ std::optional<NearestPoint> spot_of_pair(const TriangleMesh& mesh, const SpotRul
   std::size_t begin = pair, end = pair + 1;
   while (begin > group.begin && same(begin - 1)) --begin;
   while (end < group.end && same(end)) ++end;
-  std::vector<TriangleMesh::Near> near;
-  mesh.find_near(x, radius, near);
+  std::vector<NearTriangle> near;
+  mesh.triangles().find_near(x, radius, near);
   SpotFinder finder;
-  const std::vector<NearestPoint>& spots = finder.find(mesh, rule, x, radius, near);
+  const std::vector<NearestPoint>& spots = finder.find(mesh, rule, {x, radius, end - begin}, near);
   std::vector<KeptSpot> former;
   read_kept_spots(group, begin, end, former);
   SpotMatches before;

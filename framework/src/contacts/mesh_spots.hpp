@@ -29,10 +29,10 @@ class MeshSpots {
     std::uint32_t place, wall, number;
     friend bool operator==(const Key&, const Key&) = default;
   };
-  // Spots of a body with a radius (m) at x in the frame of the mesh, in which it touches. Keys must be
-  // asked for in order of places and walls, the same ones in all evaluations of the same pairs.
+  // Spots in which a body touches. Keys must be asked for in order of places and walls, the same ones in all
+  // evaluations of the same pairs.
   const std::vector<NearestPoint>& find(const TriangleMesh& mesh, const SpotRule& rule, const Key& key,
-                                        const Vec3& x, double radius);
+                                        const SpotQuery& query);
   // The pairs of a body and a mesh.
   struct Pairs {
     PairGroup& group;
@@ -54,14 +54,13 @@ class MeshSpots {
   struct Surroundings {
     Key key;
     Vec3 centre;
-    std::vector<TriangleMesh::Near> near;
+    std::vector<NearTriangle> near;
   };
   // What was known of a body before the last search; without triangles if nothing was.
   Surroundings known_before(const Key& key);
   std::vector<Surroundings> surroundings_, before_;  // of each body and mesh, in the order of the pairs
   std::size_t next_ = 0, next_before_ = 0;
   SpotFinder finder_;
-  std::vector<NearestPoint> none_;
   std::vector<double> numbers_;
   std::vector<KeptSpot> former_;
   SpotMatches matches_;  // of spots and former ones

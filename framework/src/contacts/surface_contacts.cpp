@@ -102,7 +102,8 @@ void SurfaceContacts::set(std::size_t row, const PlacedSurface& surface, const N
   const Vec3 here = of.surface.in_frame(x);
   const SpotRule rule = of.surface.rule();
   const std::vector<NearestPoint>& spots =
-      mesh_spots.find(*of.surface.mesh(), rule, {of.body, of.wall, p.order().number(of.body)}, here, radius);
+      mesh_spots.find(*of.surface.mesh(), rule, {of.body, of.wall, p.order().number(of.body)},
+                      {here, radius, of.end - of.begin});
   const MeshSpots::Pairs pairs = {group, of.begin, of.end};
   mesh_spots.follow(rule, here, spots, pairs);
   if (of.spring) mesh_spots.turn_springs(of.surface.to_scene(), spots, pairs);

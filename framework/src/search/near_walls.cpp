@@ -9,30 +9,32 @@ namespace scree {
 
 namespace {
 
-// Most spots in which a body may touch a surface before the next search. clearance: (m) a lower bound of the
-// distance between them; is set if it is shorter than the skin.
-std::size_t spots_near(const PlacedSurface& surface, const Sphere& body, double skin, double& clearance,
-                       std::vector<TriangleMesh::Near>& near) {
-  if (clearance >= skin) return 0;
-  if (!surface.mesh()) {
-    clearance = surface.nearest(body.position).distance - body.radius;
-    return clearance < skin;
-  }
+// Most spots in which a body may touch a surface before the next search. known: from an earlier call.
+std::size_t spots_near(const PlacedSurface& surface, const Sphere& body, double skin,
+                       NearWalls::Clearance& known, std::vector<NearTriangle>& near) {
   const Vec3 here = surface.in_frame(body.position);
-  surface.mesh()->find_near(here, body.radius + skin, near);
+  if (!surface.distance_jumps() && known.distance - norm(here - known.centre) >= skin) return 0;
+  known.centre = here;
+  if (!surface.mesh()) {
+    known.distance = surface.nearest(body.position).distance - body.radius;
+    return known.distance < skin;
+  }
+  const TriangleTree& triangles = surface.mesh()->triangles();
+  triangles.find_near(here, body.radius + skin, near);
   // Beyond some skins a bound will do: from the axis of a drum all triangles are equally near.
   constexpr double skins = 30;
-  clearance = (near.empty() ? surface.mesh()->nearest(here, body.radius + skins * skin) : near[0]).distance -
-              body.radius;
+  const double nearest =
+      near.empty() ? triangles.nearest(here, body.radius + skins * skin).distance : near[0].distance;
+  known.distance = nearest - body.radius;
   return spots_possible(*surface.mesh(), surface.rule(), here, near);
 }
 
 // Walls near the bodies of a range, of each body in the order of their numbers.
 void add_near_walls(std::span<const Sphere> bodies, BodyRange range, const Boundaries& boundaries,
                     const std::vector<PlacedSurface>& surfaces, int dimension, double skin,
-                    double* clearances, std::vector<PlanePair>& pairs) {
+                    NearWalls::Clearance* known, std::vector<PlanePair>& pairs) {
   const std::vector<scree_plane>& planes = boundaries.planes();
-  std::vector<TriangleMesh::Near> near;
+  std::vector<NearTriangle> near;
   for (std::uint32_t i = std::uint32_t(range.begin); i < range.end; ++i) {
     for (std::uint32_t w = 0; w < planes.size(); ++w) {
       if (boundaries.absent()[w]) continue;
@@ -43,7 +45,7 @@ void add_near_walls(std::span<const Sphere> bodies, BodyRange range, const Bound
     }
     for (std::uint32_t s = 0; s < surfaces.size(); ++s) {
       const std::size_t spots =
-          spots_near(surfaces[s], bodies[i], skin, clearances[i * surfaces.size() + s], near);
+          spots_near(surfaces[s], bodies[i], skin, known[i * surfaces.size() + s], near);
       for (std::uint32_t spot = 0; spot < spots; ++spot)
         pairs.push_back({i, std::uint32_t(planes.size()) + s, spot});
     }
@@ -52,22 +54,13 @@ void add_near_walls(std::span<const Sphere> bodies, BodyRange range, const Bound
 
 }  // namespace
 
-// Bodies that are folded into a period come to other places of surfaces.
-void NearWalls::shorten_clearances(double approach, std::size_t bodies,
-                                   const std::vector<PlacedSurface>& surfaces, const Domain& domain) {
-  constexpr double unknown = -std::numeric_limits<double>::infinity();
-  const std::size_t count = bodies * surfaces.size();
-  if (clearances_.size() != count || domain.any_periodic() || !std::isfinite(approach))
-    clearances_.assign(count, unknown);
-  for (std::size_t k = 0; k < count; ++k)
-    clearances_[k] = surfaces[k % surfaces.size()].distance_jumps() ? unknown : clearances_[k] - approach;
-}
-
 std::vector<PlanePair> NearWalls::find(std::span<const Sphere> bodies,
                                        const std::vector<std::uint32_t>& tiles, const Boundaries& boundaries,
-                                       double skin, double approach, ThreadPool& threads) {
+                                       double skin, ThreadPool& threads) {
   const std::vector<PlacedSurface> surfaces = placed_surfaces(boundaries.surfaces(), boundaries.dimension());
-  shorten_clearances(approach, bodies.size(), surfaces, boundaries.domain());
+  constexpr double unknown = -std::numeric_limits<double>::infinity();
+  if (clearances_.size() != bodies.size() * surfaces.size())
+    clearances_.assign(bodies.size() * surfaces.size(), {{}, unknown});
   std::vector<std::vector<PlanePair>> near(tiles.size());
   threads.each(tiles.size(), [&](std::size_t k, unsigned) {
     add_near_walls(bodies, BodyTiles(bodies.size())[tiles[k]], boundaries, surfaces, boundaries.dimension(),

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <scree/pair_search.hpp>
+#include <scree/plugin/vec.hpp>
 #include <scree/thread_pool.hpp>
 
 namespace scree {
@@ -17,23 +18,24 @@ namespace scree {
 class PlacedSurface;
 
 // Finds the walls near bodies at each neighbour search. Bodies that were far from a surface are not asked
-// again until they may have come near.
+// again before they have moved as far in its frame.
 class NearWalls {
  public:
-  // Walls nearer than the skin (m) to the bodies of some tiles, sorted by bodies, walls and spots. approach:
-  // (m) by which bodies and surfaces may have come nearer since the last call; infinite: anything may have
-  // happened.
+  // Walls nearer than the skin (m) to the bodies of some tiles, sorted by bodies, walls and spots.
   std::vector<PlanePair> find(std::span<const Sphere> bodies, const std::vector<std::uint32_t>& tiles,
-                              const Boundaries& boundaries, double skin, double approach,
-                              ThreadPool& threads);
-  // After bodies have been moved in memory, or tiles dealt anew.
+                              const Boundaries& boundaries, double skin, ThreadPool& threads);
+  // After bodies have been moved in memory, tiles dealt anew or surfaces replaced.
   void forget() { clearances_.clear(); }
 
- private:
-  void shorten_clearances(double approach, std::size_t bodies, const std::vector<PlacedSurface>& surfaces,
-                          const Domain& domain);
+  // A lower bound (m) of the distance between a body and a surface when its centre was at a place (m) in the
+  // frame of the surface.
+  struct Clearance {
+    Vec3 centre;
+    double distance;
+  };
 
-  std::vector<double> clearances_;  // (bodies, surfaces) (m) lower bounds of their distance at the last call
+ private:
+  std::vector<Clearance> clearances_;  // (bodies, surfaces)
 };
 
 }  // namespace scree

@@ -7,9 +7,10 @@
 
 namespace scree {
 
-[[gnu::flatten]] SCREE_EVERY_LEVEL SpotCandidate SpotCandidate::on(const TriangleMesh& mesh, std::uint32_t t,
-                                                                   const Vec3& x) {
-  const Triangle& triangle = mesh.triangle(t);
+namespace {
+
+SpotCandidate candidate_on(const TriangleTree& triangles, std::uint32_t t, const Vec3& x) {
+  const Triangle& triangle = triangles[t];
   const PointOnTriangle nearest = nearest_on(triangle, x);
   if (nearest.part == TrianglePart::face) {
     const double height = dot(x - triangle.corner[0], triangle.normal);
@@ -21,14 +22,27 @@ namespace scree {
   return {nearest.point, distance > 0 ? 1 / distance * away : triangle.normal, distance, t, nearest.part};
 }
 
-namespace {
+// Of all triangles within the reach; if one spot is wanted, of all that may be the nearest.
+[[gnu::flatten]] SCREE_EVERY_LEVEL void find_candidates(const TriangleTree& triangles, const SpotQuery& query,
+                                                        std::span<const NearTriangle> near,
+                                                        std::vector<SpotCandidate>& candidates) {
+  candidates.clear();
+  double furthest = query.reach;
+  for (const NearTriangle& triangle : near) {
+    if (triangle.distance - query.moved > distance_slack * furthest) return;
+    const SpotCandidate c = candidate_on(triangles, triangle.triangle, query.centre);
+    if (!(c.distance < query.reach)) continue;
+    candidates.push_back(c);
+    if (query.most == 1) furthest = std::min(furthest, c.distance);
+  }
+}
 
 // Whether the distance from x is smaller elsewhere on a triangle that has the point of a candidate. Earlier
 // candidates are nearer; faces are never passed.
 bool is_passed(const TriangleMesh& mesh, std::span<const SpotCandidate> earlier, const SpotCandidate& c) {
   if (c.part == TrianglePart::face) return false;
   return std::any_of(earlier.begin(), earlier.end(), [&](const SpotCandidate& nearer) {
-    const Vec3 apart = c.point - nearest_on(mesh.triangle(nearer.triangle), c.point).point;
+    const Vec3 apart = c.point - nearest_on(mesh.triangles()[nearer.triangle], c.point).point;
     return nearer.distance < c.distance && norm(apart) <= mesh.tolerance();
   });
 }
@@ -48,13 +62,10 @@ NearestPoint behind(const SpotCandidate& c) { return {c.point, -c.direction, -c.
 }  // namespace
 
 const std::vector<NearestPoint>& SpotFinder::find(const TriangleMesh& mesh, const SpotRule& rule,
-                                                  const Vec3& x, double reach,
-                                                  std::span<const TriangleMesh::Near> near) {
-  candidates_.clear();
+                                                  const SpotQuery& query,
+                                                  std::span<const NearTriangle> near) {
   spots_.clear();
-  for (const TriangleMesh::Near& triangle : near)
-    if (const SpotCandidate c = SpotCandidate::on(mesh, triangle.triangle, x); c.distance < reach)
-      candidates_.push_back(c);
+  find_candidates(mesh.triangles(), query, near, candidates_);
   std::sort(candidates_.begin(), candidates_.end(), [](const SpotCandidate& a, const SpotCandidate& b) {
     return std::tie(a.distance, a.triangle) < std::tie(b.distance, b.triangle);
   });
@@ -62,7 +73,7 @@ const std::vector<NearestPoint>& SpotFinder::find(const TriangleMesh& mesh, cons
     spots_.push_back(behind(candidates_[0]));
     return spots_;
   }
-  for (std::size_t k = 0; k < candidates_.size() && spots_.size() < most_spots; ++k) {
+  for (std::size_t k = 0; k < candidates_.size() && spots_.size() < query.most; ++k) {
     const SpotCandidate& c = candidates_[k];
     const bool known = std::any_of(spots_.begin(), spots_.end(), [&](const NearestPoint& spot) {
       return dot(spot.normal, c.direction) > rule.cosine_smooth ||
@@ -75,24 +86,24 @@ const std::vector<NearestPoint>& SpotFinder::find(const TriangleMesh& mesh, cons
 }
 
 NearestPoint nearest_spot(const TriangleMesh& mesh, const SpotRule& rule, const Vec3& x) {
-  const SpotCandidate c = SpotCandidate::on(mesh, mesh.nearest(x).triangle, x);
+  const SpotCandidate c = candidate_on(mesh.triangles(), mesh.triangles().nearest(x).triangle, x);
   return is_allowed(mesh, rule, c) ? in_front(c) : behind(c);
 }
 
 // Directions to x within half an angle of a common one are within the whole angle of each other. Edges and
 // corners between the triangles have directions between these.
 std::size_t spots_possible(const TriangleMesh& mesh, const SpotRule& rule, const Vec3& x,
-                           std::span<const TriangleMesh::Near> near) {
+                           std::span<const NearTriangle> near) {
   const auto towards = [&](std::uint32_t t) {
-    const Triangle& triangle = mesh.triangle(t);
+    const Triangle& triangle = mesh.triangles()[t];
     return dot(x - triangle.corner[0], triangle.normal) < 0 ? -triangle.normal : triangle.normal;
   };
   Vec3 sum = {};
   bool border = false;
-  for (const TriangleMesh::Near& n : near)
+  for (const NearTriangle& n : near)
     sum += towards(n.triangle), border = border || mesh.at_border(n.triangle);
   const double cosine_half = std::sqrt(0.5 * (1 + rule.cosine_smooth)), length = norm(sum);
-  const bool smooth = !border && std::all_of(near.begin(), near.end(), [&](const TriangleMesh::Near& n) {
+  const bool smooth = !border && std::all_of(near.begin(), near.end(), [&](const NearTriangle& n) {
     return dot(sum, towards(n.triangle)) > cosine_half * length;
   });
   return smooth ? std::min<std::size_t>(near.size(), 1) : std::min(near.size(), most_spots);

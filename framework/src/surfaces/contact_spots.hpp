@@ -25,10 +25,18 @@ struct SpotCandidate {
   double distance;
   std::uint32_t triangle;
   TrianglePart part;
-
-  // Of a triangle, for a centre x.
-  static SpotCandidate on(const TriangleMesh& mesh, std::uint32_t triangle, const Vec3& x);
 };
+
+// Where spots are looked for.
+struct SpotQuery {
+  Vec3 centre;                    // (m) of the body, in the frame of the mesh
+  double reach;                   // (m) within which there are spots
+  std::size_t most = most_spots;  // as many are found, the nearest
+  double moved = 0;               // (m) of the centre since the distances of triangles were measured
+};
+
+// Round-off of distances, relative: triangles whose distance is longer by less are looked at.
+constexpr double distance_slack = 1 + 1e-9;
 
 // Finds the spots in which a body may touch a mesh: where the distance from its centre has a local minimum
 // over the surface. Of two whose directions from the centre differ by less than an angle, the nearer one
@@ -36,10 +44,10 @@ struct SpotCandidate {
 // With one side, a centre that is behind the surface has one spot, the nearest, with a distance below 0.
 class SpotFinder {
  public:
-  // The nearest first, for a centre x. near: all triangles that come nearer than `reach` (m), to which
-  // spots are looked for. Valid until the next call.
-  const std::vector<NearestPoint>& find(const TriangleMesh& mesh, const SpotRule& rule, const Vec3& x,
-                                        double reach, std::span<const TriangleMesh::Near> near);
+  // The nearest first. near: all triangles that come nearer than the reach, and others, the nearest first.
+  // Valid until the next call.
+  const std::vector<NearestPoint>& find(const TriangleMesh& mesh, const SpotRule& rule,
+                                        const SpotQuery& query, std::span<const NearTriangle> near);
 
  private:
   std::vector<SpotCandidate> candidates_;
@@ -52,7 +60,7 @@ NearestPoint nearest_spot(const TriangleMesh& mesh, const SpotRule& rule, const 
 // Most spots that a body may have while it moves among the triangles `near` it, on the side on which its
 // centre x is: 1 if they bend by less than the angle of the rule.
 std::size_t spots_possible(const TriangleMesh& mesh, const SpotRule& rule, const Vec3& x,
-                           std::span<const TriangleMesh::Near> near);
+                           std::span<const NearTriangle> near);
 
 // Where a spot was, in the frame of the surface, and the pair that has it.
 struct KeptSpot {

@@ -1,5 +1,7 @@
 #include "surfaces/nearest_point.hpp"
 
+#include "machine/instruction_levels.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -81,6 +83,18 @@ NearestPoint on_ball(const scree_surface& s, int dimension, const Vec3& x) {
   return on_face(s.side, radius * outwards, outwards, distance - radius, {{1 / radius, 1 / radius}});
 }
 
+[[gnu::flatten]] SCREE_EVERY_LEVEL NearestPoint nearest_of_shape(const scree_surface& surface, int dimension,
+                                                                 const Vec3& x) {
+  switch (surface.shape) {
+    case SCREE_FLAT:
+      return on_flat(surface, dimension, x);
+    case SCREE_REVOLVED:
+      return on_revolved(surface, x);
+    default:
+      return on_ball(surface, dimension, x);
+  }
+}
+
 const char* problem_of_revolved(const scree_surface& s) {
   const auto [r0, z0, r1, z1] = s.size;
   if (!(r0 >= 0 && r1 >= 0 && std::isfinite(r0) && std::isfinite(r1) && r0 + r1 > 0))
@@ -103,14 +117,7 @@ const char* problem_of_mesh(const scree_surface& s, int dimension) {
 }  // namespace
 
 NearestPoint nearest_point(const scree_surface& surface, int dimension, const Vec3& x) {
-  switch (surface.shape) {
-    case SCREE_FLAT:
-      return on_flat(surface, dimension, x);
-    case SCREE_REVOLVED:
-      return on_revolved(surface, x);
-    default:
-      return on_ball(surface, dimension, x);
-  }
+  return nearest_of_shape(surface, dimension, x);
 }
 
 const char* problem_of(const scree_surface& s, int dimension) {

@@ -1,7 +1,5 @@
 #include "surfaces/placed_surface.hpp"
 
-#include "machine/instruction_levels.hpp"
-
 namespace scree {
 
 namespace {
@@ -36,25 +34,13 @@ PlacedSurface::PlacedSurface(const scree_surface& surface, const TriangleMesh* m
       cosine_smooth_(mesh ? cosine_of(surface.size[1]) : 1),
       chord_(step != 0 ? 2 / step * half_angle_of(step * mid_spin_).sine : mid_spin_) {}
 
-[[gnu::flatten]] SCREE_EVERY_LEVEL NearestPoint PlacedSurface::nearest(const Vec3& x) const {
+NearestPoint PlacedSurface::nearest(const Vec3& x) const {
   const Vec3 here = in_frame(x);
   return in_scene(mesh_ ? nearest_spot(*mesh_, rule(), here) : nearest_point(surface_, dimension_, here));
 }
 
-[[gnu::flatten]] SCREE_EVERY_LEVEL NearestPoint PlacedSurface::mid_nearest(const Vec3& x) const {
+NearestPoint PlacedSurface::mid_nearest(const Vec3& x) const {
   return mid_in_scene(nearest_point(surface_, dimension_, mid_to_scene_.back()(x - mid_origin_)));
-}
-
-NearestPoint PlacedSurface::mid_in_scene(NearestPoint found) const {
-  found.point = mid_origin_ + mid_to_scene_(found.point);
-  found.normal = mid_to_scene_(found.normal);
-  return found;
-}
-
-NearestPoint PlacedSurface::in_scene(NearestPoint found) const {
-  found.point = origin_ + to_scene_(found.point);
-  found.normal = to_scene_(found.normal);
-  return found;
 }
 
 std::vector<PlacedSurface> placed_surfaces(const WallSurfaces& all, int dimension, double step) {

@@ -28,7 +28,11 @@ class PlacedSurface {
   SpotRule rule() const { return {surface_.side, cosine_smooth_}; }
   // From the scene to the frame of the surface, and back.
   Vec3 in_frame(const Vec3& x) const { return to_scene_.back()(x - origin_); }
-  NearestPoint in_scene(NearestPoint found) const;
+  NearestPoint in_scene(NearestPoint found) const {
+    found.point = origin_ + to_scene_(found.point);
+    found.normal = to_scene_(found.normal);
+    return found;
+  }
   const Rotation& to_scene() const { return to_scene_; }
   // Velocity (m/s) of the material that is at a point, given from the origin of the frame (m): at the end of
   // the step; and of that which is there in its middle, its displacement in the step / step.
@@ -36,7 +40,11 @@ class PlacedSurface {
   Vec3 mid_velocity(const Vec3& from_origin) const { return mid_velocity_ + cross(chord_, from_origin); }
   // The nearest point in the middle of the step, of a surface that is no mesh; x: (m) there, in the scene.
   NearestPoint mid_nearest(const Vec3& x) const;
-  NearestPoint mid_in_scene(NearestPoint found) const;
+  NearestPoint mid_in_scene(NearestPoint found) const {
+    found.point = mid_origin_ + mid_to_scene_(found.point);
+    found.normal = mid_to_scene_(found.normal);
+    return found;
+  }
   const Vec3& mid_origin() const { return mid_origin_; }
   const Vec3& origin() const { return origin_; }
   const Vec3& spin() const { return spin_; }

@@ -60,7 +60,7 @@ std::vector<std::string> mesh_lines(const WallSurfaces& surfaces) {
     const Vec3 at = PlacedSurface(surfaces, s, 3, 0).origin();
     const std::string found = mesh.findings().text();
     lines.push_back(fmt::format("{}: {} from {} to {} m, {}{}{}", surfaces.names[s],
-                                counted(mesh.size(), "triangle"), text(at + mesh.bounds().lower),
+                                counted(mesh.triangles().size(), "triangle"), text(at + mesh.bounds().lower),
                                 text(at + mesh.bounds().upper), mesh.findings().closed() ? "closed" : "open",
                                 found.empty() ? "" : "; ", found));
   }

@@ -103,8 +103,8 @@ SurfaceOutline of_shape(const scree_surface& s, int dimension, const View& view)
 
 SurfaceOutline of_mesh(const TriangleMesh& mesh) {
   SurfaceOutline outline;
-  for (std::size_t t = 0; t < mesh.size(); ++t)
-    for (const Vec3& corner : mesh.triangle(t).corner) {
+  for (std::size_t t = 0; t < mesh.triangles().size(); ++t)
+    for (const Vec3& corner : mesh.triangles()[t].corner) {
       outline.cells.push_back(std::uint32_t(outline.points.size()));
       outline.points.push_back(corner);
     }

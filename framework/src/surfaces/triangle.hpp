@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 
 #include <scree/plugin/vec.hpp>
 
@@ -66,6 +67,11 @@ inline PointOnTriangle nearest_on(const Triangle& t, const Vec3& x) {
 struct Bounds {
   Vec3 lower, upper;
 
+  // Of no point.
+  static constexpr Bounds nowhere() {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    return {{{infinite, infinite, infinite}}, {{-infinite, -infinite, -infinite}}};
+  }
   void include(const Vec3& x) {
     for (int k = 0; k < 3; ++k) lower[k] = std::min(lower[k], x[k]), upper[k] = std::max(upper[k], x[k]);
   }

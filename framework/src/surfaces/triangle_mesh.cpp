@@ -1,13 +1,11 @@
 #include "surfaces/triangle_mesh.hpp"
 
-#include "machine/instruction_levels.hpp"
 #include "surfaces/mesh_topology.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <mutex>
-#include <numeric>
 #include <set>
 #include <tuple>
 
@@ -19,10 +17,6 @@
 namespace scree {
 
 namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr Bounds nowhere = {{{infinite, infinite, infinite}}, {{-infinite, -infinite, -infinite}}};
-constexpr std::uint32_t triangles_in_leaf = 2;
 
 // A vertex, and a triangle, for messages.
 [[noreturn]] void refuse(const std::string& problem) { throw Error(problem); }
@@ -69,7 +63,7 @@ double height_of(const std::vector<Vec3>& points, const std::array<std::uint32_t
 
 TriangleMesh::TriangleMesh(std::span<const double> numbers, double scale) {
   const std::vector<Vec3> points = points_of(numbers, scale);
-  bounds_ = nowhere;
+  bounds_ = Bounds::nowhere();
   for (const Vec3& point : points) bounds_.include(point), reach_ = std::max(reach_, norm(point));
   // Of files with single precision near their origin, and of double precision.
   constexpr double of_files = 4 * double(std::numeric_limits<float>::epsilon()),
@@ -80,13 +74,9 @@ TriangleMesh::TriangleMesh(std::span<const double> numbers, double scale) {
   const MeshTopology topology(corners_);
   topology.turn_alike(corners_, findings_);
   if (findings_.closed()) turn_outwards(points, topology.shells());
+  sort_by_place(points);
   beside_ = MeshTopology(corners_).beside();
-  for (const Corners& of : corners_) triangles_.emplace_back(points[of[0]], points[of[1]], points[of[2]]);
   sum_angles(points.size());
-  in_tree_.resize(triangles_.size());
-  std::iota(in_tree_.begin(), in_tree_.end(), 0u);
-  nodes_.emplace_back();
-  grow(0, 0, std::uint32_t(triangles_.size()));
 }
 
 // Each shell has its outside outside; one within another one is told by its bounds.
@@ -96,7 +86,7 @@ void TriangleMesh::turn_outwards(const std::vector<Vec3>& points,
   std::vector<double> volume;
   for (std::size_t t = 0; t < corners_.size(); ++t) {
     const std::size_t shell = shell_of[t];
-    bounds.resize(std::max(bounds.size(), shell + 1), nowhere), volume.resize(bounds.size(), 0);
+    bounds.resize(std::max(bounds.size(), shell + 1), Bounds::nowhere()), volume.resize(bounds.size(), 0);
     const auto& [a, b, c] = corners_[t];
     for (const std::uint32_t p : corners_[t]) bounds[shell].include(points[p]);
     volume[shell] += dot(points[a] - points[0], cross(points[b] - points[0], points[c] - points[0]));
@@ -128,6 +118,16 @@ std::vector<TriangleMesh::Corners> TriangleMesh::usable(const std::vector<Vec3>&
   return corners;
 }
 
+void TriangleMesh::sort_by_place(const std::vector<Vec3>& points) {
+  std::vector<Triangle> triangles;
+  for (const Corners& of : corners_) triangles.emplace_back(points[of[0]], points[of[1]], points[of[2]]);
+  std::vector<std::uint32_t> order;
+  triangles_ = TriangleTree(triangles, order);
+  const std::vector<Corners> unsorted = std::move(corners_);
+  corners_.clear();
+  for (const std::uint32_t t : order) corners_.push_back(unsorted[t]);
+}
+
 void TriangleMesh::sum_angles(std::size_t points) {
   at_point_.assign(points, Vec3{});
   for (std::size_t t = 0; t < corners_.size(); ++t)
@@ -150,81 +150,6 @@ bool TriangleMesh::at_border(std::size_t t) const {
   return std::find(beside_[t].begin(), beside_[t].end(), MeshTopology::none) != beside_[t].end();
 }
 
-// Halves the triangles of a node by the middles of their bounds along its longest axis.
-void TriangleMesh::grow(std::uint32_t node, std::uint32_t begin, std::uint32_t end) {
-  Bounds bounds = nowhere, middles = nowhere;
-  const auto middle_of = [&](std::uint32_t t) {
-    Bounds of = nowhere;
-    for (const Vec3& corner : triangles_[t].corner) of.include(corner);
-    return 0.5 * (of.lower + of.upper);
-  };
-  for (std::uint32_t k = begin; k < end; ++k) {
-    for (const Vec3& corner : triangles_[in_tree_[k]].corner) bounds.include(corner);
-    middles.include(middle_of(in_tree_[k]));
-  }
-  nodes_[node] = {bounds, begin, end - begin};
-  if (end - begin <= triangles_in_leaf) return;
-  const Vec3 extent = middles.upper - middles.lower;
-  const int axis = int(std::max_element(extent.component, extent.component + 3) - extent.component);
-  const std::uint32_t middle = (begin + end) / 2;
-  std::nth_element(in_tree_.begin() + begin, in_tree_.begin() + middle, in_tree_.begin() + end,
-                   [&](std::uint32_t s, std::uint32_t t) {
-                     return std::make_tuple(middle_of(s)[axis], s) < std::make_tuple(middle_of(t)[axis], t);
-                   });
-  const auto children = std::uint32_t(nodes_.size());
-  nodes_[node] = {bounds, children, 0};
-  nodes_.resize(nodes_.size() + 2);
-  grow(children, begin, middle);
-  grow(children + 1, middle, end);
-}
-
-[[gnu::flatten]] SCREE_EVERY_LEVEL void TriangleMesh::add_near(const Vec3& x, double reach,
-                                                               std::vector<Near>& near) const {
-  std::array<std::uint32_t, 64> waiting = {0};  // a tree of 2^32 triangles is 31 deep
-  for (std::size_t count = 1; count > 0;) {
-    const Node& node = nodes_[waiting[--count]];
-    if (node.bounds.square_to(x) > reach * reach) continue;
-    if (node.count == 0) {
-      waiting[count++] = node.first + 1, waiting[count++] = node.first;
-      continue;
-    }
-    for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
-      const double distance = norm(x - nearest_on(triangles_[in_tree_[k]], x).point);
-      if (distance <= reach) near.push_back({in_tree_[k], distance});
-    }
-  }
-}
-
-void TriangleMesh::find_near(const Vec3& x, double reach, std::vector<Near>& near) const {
-  near.clear();
-  add_near(x, reach, near);
-  std::sort(near.begin(), near.end(), [](const Near& a, const Near& b) {
-    return std::tie(a.distance, a.triangle) < std::tie(b.distance, b.triangle);
-  });
-}
-
-[[gnu::flatten]] SCREE_EVERY_LEVEL TriangleMesh::Near TriangleMesh::nearest(const Vec3& x,
-                                                                            double most) const {
-  Near best = {0, most};
-  std::array<std::uint32_t, 64> waiting = {0};
-  for (std::size_t count = 1; count > 0;) {
-    const Node& node = nodes_[waiting[--count]];
-    if (node.bounds.square_to(x) > best.distance * best.distance) continue;
-    if (node.count == 0) {
-      // The nearer child is visited first.
-      const bool first = nodes_[node.first].bounds.square_to(x) <= nodes_[node.first + 1].bounds.square_to(x);
-      waiting[count++] = node.first + first, waiting[count++] = node.first + !first;
-      continue;
-    }
-    for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
-      const std::uint32_t t = in_tree_[k];
-      const double distance = norm(x - nearest_on(triangles_[t], x).point);
-      if (std::tie(distance, t) < std::tie(best.distance, best.triangle)) best = {t, distance};
-    }
-  }
-  return best;
-}
-
 namespace {
 
 // Where an edge goes through the inside of a triangle.
@@ -242,24 +167,10 @@ std::optional<Vec3> piercing(const Triangle& triangle, const Vec3& from, const V
 
 }  // namespace
 
-void TriangleMesh::find_along(const Vec3& from, const Vec3& to, std::vector<std::uint32_t>& triangles) const {
-  triangles.clear();
-  std::array<std::uint32_t, 64> waiting = {0};
-  for (std::size_t count = 1; count > 0;) {
-    const Node& node = nodes_[waiting[--count]];
-    if (!node.bounds.meets(from, to)) continue;
-    if (node.count == 0)
-      waiting[count++] = node.first + 1, waiting[count++] = node.first;
-    else
-      triangles.insert(triangles.end(), in_tree_.begin() + node.first,
-                       in_tree_.begin() + node.first + node.count);
-  }
-}
-
 // Where two triangles lie on each other beside their common edge.
 std::optional<Vec3> TriangleMesh::fold() const {
   constexpr double nearly_opposite = -1 + 1e-6;
-  for (std::size_t t = 0; t < size(); ++t)
+  for (std::size_t t = 0; t < triangles_.size(); ++t)
     for (std::size_t e = 0; e < 3; ++e)
       if (const std::uint32_t beside = beside_[t][e];
           beside != MeshTopology::none &&
@@ -270,10 +181,10 @@ std::optional<Vec3> TriangleMesh::fold() const {
 
 std::optional<Vec3> TriangleMesh::crossing() const {
   std::vector<std::uint32_t> along;
-  for (std::size_t t = 0; t < size(); ++t)
+  for (std::size_t t = 0; t < triangles_.size(); ++t)
     for (int e = 0; e < 3; ++e) {
       const Vec3 &from = triangles_[t].corner[e], &to = triangles_[t].corner[(e + 1) % 3];
-      find_along(from, to, along);
+      triangles_.find_along(from, to, along);
       for (const std::uint32_t n : along) {
         const Corners& other = corners_[n];
         const auto has = [&](std::uint32_t point) {

@@ -1,11 +1,10 @@
 #pragma once
 
-#include "surfaces/triangle.hpp"
+#include "surfaces/triangle_tree.hpp"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -31,30 +30,19 @@ struct MeshFindings {
   bool closed() const { return open_edges == 0 && shared_edges == 0 && !one_sided; }
 };
 
-// A triangulated surface in its own frame, and a tree in which its triangles are found by place.
+// A triangulated surface in its own frame.
 class TriangleMesh {
  public:
   // numbers: as of a parameter of the type SCREE_MESH_FILE; lengths are multiplied by `scale`. Throws Error
   // without a cure if they are no mesh: "the mesh has no triangles".
   TriangleMesh(std::span<const double> numbers, double scale);
 
-  struct Near {
-    std::uint32_t triangle;
-    double distance;  // (m)
-  };
-  // Replaces `near` by the triangles within a distance (m) of x, the nearest first.
-  void find_near(const Vec3& x, double reach, std::vector<Near>& near) const;
-  // The nearest triangle; of several, the one with the lowest number. most: (m) distance beyond which none is
-  // looked for; it is then the distance.
-  Near nearest(const Vec3& x, double most = std::numeric_limits<double>::infinity()) const;
-
   // A point in which two triangles without a common corner cross, and one where the mesh folds back on
   // itself; none if there is none.
   std::optional<Vec3> crossing() const;
   std::optional<Vec3> fold() const;
 
-  std::size_t size() const { return triangles_.size(); }
-  const Triangle& triangle(std::size_t t) const { return triangles_[t]; }
+  const TriangleTree& triangles() const { return triangles_; }
   // Sum of the normals of the triangles that meet in a part of a triangle, weighted with their angles: it
   // points to the side on which x is if the part is nearest to x (Baerentzen and Aanaes 2005).
   Vec3 outwards(std::size_t t, TrianglePart part) const;
@@ -68,23 +56,14 @@ class TriangleMesh {
 
  private:
   using Corners = std::array<std::uint32_t, 3>;  // numbers of points
-  struct Node {
-    Bounds bounds;
-    std::uint32_t first, count;  // triangles of a leaf; count 0: first is the first of two children
-  };
-  // In the order of the tree.
-  void add_near(const Vec3& x, double reach, std::vector<Near>& near) const;
-  void find_along(const Vec3& from, const Vec3& to, std::vector<std::uint32_t>& triangles) const;
   void turn_outwards(const std::vector<Vec3>& points, const std::vector<std::uint32_t>& shell_of);
   std::vector<Corners> usable(const std::vector<Vec3>& points, const std::vector<Corners>& all);
   void sum_angles(std::size_t points);
-  void grow(std::uint32_t node, std::uint32_t begin, std::uint32_t end);
+  void sort_by_place(const std::vector<Vec3>& points);
 
-  std::vector<Triangle> triangles_;
+  TriangleTree triangles_;
   std::vector<Corners> corners_, beside_;  // of each triangle, see MeshTopology
   std::vector<Vec3> at_point_;             // normals by their angles
-  std::vector<Node> nodes_;
-  std::vector<std::uint32_t> in_tree_;  // numbers of triangles in the order of the leaves
   Bounds bounds_ = {};
   double tolerance_ = 0, reach_ = 0;
   MeshFindings findings_;

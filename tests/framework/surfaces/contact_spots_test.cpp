@@ -91,10 +91,10 @@ std::vector<Minimum> reference(const Mesh& mesh, const Vec3& x, double radius, d
 
 std::vector<NearestPoint> spots_of(const TriangleMesh& mesh, const SpotRule& rule, const Vec3& x,
                                    double radius) {
-  std::vector<TriangleMesh::Near> near;
-  mesh.find_near(x, radius, near);
+  std::vector<NearTriangle> near;
+  mesh.triangles().find_near(x, radius, near);
   SpotFinder finder;
-  return finder.find(mesh, rule, x, radius, near);
+  return finder.find(mesh, rule, {x, radius}, near);
 }
 
 SpotRule both_sides(double angle) { return {SCREE_BOTH_SIDES, std::cos(angle)}; }
@@ -140,25 +140,25 @@ TEST_CASE("the nearest triangles are found by the tree as by looking at all", "[
   std::mt19937_64 random(46);
   std::uniform_real_distribution<double> uniform(-1.5, 1.5);
   const TriangleMesh mesh(hills_mesh(1, 20, 0.8, random).numbers(), 1);
-  std::vector<TriangleMesh::Near> near;
+  std::vector<NearTriangle> near;
   for (int k = 0; k < 300; ++k) {
     const Vec3 x = {{uniform(random), uniform(random), uniform(random)}};
     std::size_t within = 0;
     double nearest = 10;
-    for (std::size_t t = 0; t < mesh.size(); ++t) {
-      const double distance = norm(x - nearest_on(mesh.triangle(t), x).point);
+    for (std::size_t t = 0; t < mesh.triangles().size(); ++t) {
+      const double distance = norm(x - nearest_on(mesh.triangles()[t], x).point);
       within += distance <= 0.4, nearest = std::min(nearest, distance);
     }
-    mesh.find_near(x, 0.4, near);
+    mesh.triangles().find_near(x, 0.4, near);
     CHECK(near.size() == within);
-    CHECK(mesh.nearest(x).distance == nearest);
+    CHECK(mesh.triangles().nearest(x).distance == nearest);
   }
 }
 
 TEST_CASE("a body has as many spots as may be, or fewer", "[surfaces]") {
   std::mt19937_64 random(47);
   std::uniform_real_distribution<double> uniform(0, 1);
-  std::vector<TriangleMesh::Near> near;
+  std::vector<NearTriangle> near;
   std::size_t single = 0;
   for (int n = 0; n < 300; ++n) {
     const Mesh mesh =
@@ -166,7 +166,7 @@ TEST_CASE("a body has as many spots as may be, or fewer", "[surfaces]") {
     const TriangleMesh tree(mesh.numbers(), 1);
     const double radius = 0.05 + 0.3 * uniform(random), skin = 0.2 * radius;
     const Vec3 x = {{uniform(random), uniform(random), n % 2 ? 0.8 * radius : uniform(random)}};
-    tree.find_near(x, radius + skin, near);
+    tree.triangles().find_near(x, radius + skin, near);
     const std::size_t possible = spots_possible(tree, both_sides(0.35), x, near);
     single += possible == 1;
     for (int k = 0; k < 20; ++k) {
@@ -205,7 +205,7 @@ TEST_CASE("faults of a mesh are counted, and repaired where that is safe", "[sur
   mesh.triangles.push_back({0, 1, 1});
   mesh.points.push_back({{-1 + 1e-8, -1, -1}});
   const TriangleMesh repaired(mesh.numbers(), 1);
-  CHECK(repaired.size() == 12);
+  CHECK(repaired.triangles().size() == 12);
   CHECK(repaired.findings().text() ==
         "1 triangle of no area, left out, 1 triangle of the same corners as another, left out, 1 triangle of "
         "the other sense than those beside it, turned");
