@@ -82,11 +82,9 @@ void SurfaceContacts::set(std::size_t row, const PlacedSurface& surface, const N
   set_part(records_.lever(row), nearest.point - surface.origin());
 }
 
-[[gnu::flatten]] SCREE_EVERY_LEVEL void SurfaceContacts::resolve_pairs(const PairsOfBody& of,
-                                                                       std::size_t rows, const Particles& p,
-                                                                       MeshSpots& mesh_spots,
-                                                                       PairGroup& group,
-                                                                       double* effective_radius) {
+SCREE_EVERY_LEVEL_INLINED void SurfaceContacts::resolve_pairs(const PairsOfBody& of, std::size_t rows,
+                                                              const Particles& p, MeshSpots& mesh_spots,
+                                                              PairGroup& group, double* effective_radius) {
   const double radius = p.radius()[of.body];
   Vec3 x = {};
   for (int k = 0; k < p.dimension(); ++k) x[k] = p.position()[k][of.body];

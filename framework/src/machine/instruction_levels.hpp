@@ -19,6 +19,13 @@
 #define SCREE_EVERY_LEVEL
 #endif
 
+// With what it calls. clang, which does not combine this with clones, decides itself what it inlines.
+#if defined(__clang__)
+#define SCREE_EVERY_LEVEL_INLINED SCREE_EVERY_LEVEL
+#else
+#define SCREE_EVERY_LEVEL_INLINED [[gnu::flatten]] SCREE_EVERY_LEVEL
+#endif
+
 #include <string>
 #include <vector>
 

@@ -155,9 +155,9 @@ struct PairSearch::Hierarchy {
             PairCollector& pairs) const;
 };
 
-[[gnu::flatten]] SCREE_EVERY_LEVEL void PairSearch::Hierarchy::find(std::size_t level, std::size_t begin,
-                                                                    std::size_t end, std::size_t most,
-                                                                    PairCollector& pairs) const {
+SCREE_EVERY_LEVEL_INLINED void PairSearch::Hierarchy::find(std::size_t level, std::size_t begin,
+                                                           std::size_t end, std::size_t most,
+                                                           PairCollector& pairs) const {
   for (std::size_t k = begin; k < end && pairs.size() <= most; ++k) {
     const CellLevel::BinnedBody& body = levels[level].binned()[k];
     for (std::size_t l = 0; l <= level; ++l) {

@@ -23,9 +23,9 @@ SpotCandidate candidate_on(const TriangleTree& triangles, std::uint32_t t, const
 }
 
 // Of all triangles within the reach; if one spot is wanted, of all that may be the nearest.
-[[gnu::flatten]] SCREE_EVERY_LEVEL void find_candidates(const TriangleTree& triangles, const SpotQuery& query,
-                                                        std::span<const NearTriangle> near,
-                                                        std::vector<SpotCandidate>& candidates) {
+SCREE_EVERY_LEVEL_INLINED void find_candidates(const TriangleTree& triangles, const SpotQuery& query,
+                                               std::span<const NearTriangle> near,
+                                               std::vector<SpotCandidate>& candidates) {
   candidates.clear();
   double furthest = query.reach;
   for (const NearTriangle& triangle : near) {

@@ -83,8 +83,8 @@ NearestPoint on_ball(const scree_surface& s, int dimension, const Vec3& x) {
   return on_face(s.side, radius * outwards, outwards, distance - radius, {{1 / radius, 1 / radius}});
 }
 
-[[gnu::flatten]] SCREE_EVERY_LEVEL NearestPoint nearest_of_shape(const scree_surface& surface, int dimension,
-                                                                 const Vec3& x) {
+SCREE_EVERY_LEVEL_INLINED NearestPoint nearest_of_shape(const scree_surface& surface, int dimension,
+                                                        const Vec3& x) {
   switch (surface.shape) {
     case SCREE_FLAT:
       return on_flat(surface, dimension, x);

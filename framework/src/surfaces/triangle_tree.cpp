@@ -64,8 +64,8 @@ void TriangleTree::grow(const std::vector<Triangle>& triangles, std::uint32_t no
 
 // Private to this file, see SCREE_EVERY_LEVEL.
 struct TriangleTree::Loops {
-  [[gnu::flatten]] SCREE_EVERY_LEVEL static void add_near(const TriangleTree& tree, const Vec3& x,
-                                                          double reach, std::vector<NearTriangle>& near) {
+  SCREE_EVERY_LEVEL_INLINED static void add_near(const TriangleTree& tree, const Vec3& x, double reach,
+                                                 std::vector<NearTriangle>& near) {
     Waiting waiting = {0};
     for (std::size_t count = 1; count > 0;) {
       const Node& node = tree.nodes_[waiting[--count]];
@@ -80,8 +80,8 @@ struct TriangleTree::Loops {
     }
   }
 
-  [[gnu::flatten]] SCREE_EVERY_LEVEL static NearTriangle nearest(const TriangleTree& tree, const Vec3& x,
-                                                                 double most) {
+  SCREE_EVERY_LEVEL_INLINED static NearTriangle nearest(const TriangleTree& tree, const Vec3& x,
+                                                        double most) {
     NearTriangle best = {0, most};
     Waiting waiting = {0};
     for (std::size_t count = 1; count > 0;) {
