@@ -8,11 +8,13 @@ struct Cone : SurfaceWall {
   double radius = 0, end_radius = 0, length = 0;
 
   static constexpr scree::About about = {
-      "cone", "cone, whole or cut, from inside, from outside or both; it moves and turns as prescribed",
+      "cone",
+      "cone, whole or cut, from inside, from outside or both; it moves and turns as prescribed or by forces",
       "the line from `radius` at `point` to `end_radius` at point + length axis, turned about the axis; open at both ends\n"
       "outside: away from the axis;   Hertz contacts: 1/R*² = 1/R (1/R ± cos α/ρ), with α half of its angle and ρ the\n"
       "distance of the contact from the axis, with an error of second order in R/ρ\n"
-      "moves by ∫velocity dt along the direction, turns by ∫spin dt about spin_axis",
+      "motion along the direction and about spin_axis, each prescribed or by forces:\n"
+      "m s\" = F·e + P(t) − γ s', I φ\" = T·a + M(t) − γ' φ'   F, T: of the contacts",
       "—"};
 
   void declare(scree::Declaration& d) {
@@ -28,9 +30,9 @@ struct Cone : SurfaceWall {
   void prepare(const scree::Setup& setup) {
     if (setup.dimension() == 2)
       return setup.refuse("a 2D scene has no cones; choose rectangle, which is a segment there");
-    if (const char* const problem = check(setup)) return setup.refuse(problem);
+    if (!has_axis(setup)) return;
     if (!(radius + end_radius > 0)) return setup.refuse("both radii are 0; give one of them");
-    surface = scree::Surface::revolved(radius, 0, end_radius, length, scree_side(side));
+    set(scree::Surface::revolved(radius, 0, end_radius, length, scree_side(side)), setup);
   }
 };
 

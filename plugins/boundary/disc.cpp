@@ -8,9 +8,10 @@ struct Disc : SurfaceWall {
   double radius = 0, hole = 0;
 
   static constexpr scree::About about = {
-      "disc", "flat disc, whole or with a round hole; it moves and turns as prescribed",
+      "disc", "flat disc, whole or with a round hole; it moves and turns as prescribed or by forces",
       "hole <= ρ <= radius in the plane through point;   outside: where the normal points\n"
-      "moves by ∫velocity dt along the direction, turns by ∫spin dt about spin_axis",
+      "motion along the direction and about spin_axis, each prescribed or by forces:\n"
+      "m s\" = F·e + P(t) − γ s', I φ\" = T·a + M(t) − γ' φ'   F, T: of the contacts",
       "—"};
 
   void declare(scree::Declaration& d) {
@@ -23,9 +24,9 @@ struct Disc : SurfaceWall {
   void prepare(const scree::Setup& setup) {
     if (setup.dimension() == 2)
       return setup.refuse("a 2D scene has no discs as walls; choose rectangle, which is a segment there");
-    if (const char* const problem = check(setup)) return setup.refuse(problem);
+    if (!has_axis(setup)) return;
     if (!(hole < radius)) return setup.refuse("hole is not below radius; give a smaller one");
-    surface = scree::Surface::revolved(radius, 0, hole, 0, scree_side(side));
+    set(scree::Surface::revolved(radius, 0, hole, 0, scree_side(side)), setup);
   }
 };
 

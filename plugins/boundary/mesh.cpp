@@ -14,7 +14,8 @@ struct Mesh : SurfaceWall {
       "a body touches it where its distance has a minimum: of two spots that the centre sees within smooth_angle the\n"
       "nearer counts, so that flat and smooth parts are touched once, sharp hollow edges twice; springs follow their spots\n"
       "normal from the spot to the centre;   Hertz contacts: R* = R, as on a plane\n"
-      "moves by ∫velocity dt along the direction, turns by ∫spin dt about spin_axis",
+      "motion along the direction and about spin_axis, each prescribed or by forces:\n"
+      "m s\" = F·e + P(t) − γ s', I φ\" = T·a + M(t) − γ' φ'   F, T: of the contacts",
       "—"};
 
   void declare(scree::Declaration& d) {
@@ -32,8 +33,8 @@ struct Mesh : SurfaceWall {
     if (setup.dimension() == 2)
       return setup.refuse(
           "a 2D scene has no meshes; choose rectangle, which is a segment there, for each edge");
-    if (const char* const problem = check(setup)) return setup.refuse(problem);
-    surface = scree::Surface::mesh(triangles, scale, smooth_angle, scree_side(side));
+    if (!has_axis(setup)) return;
+    set(scree::Surface::mesh(triangles, scale, smooth_angle, scree_side(side)), setup);
   }
 };
 

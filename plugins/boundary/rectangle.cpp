@@ -12,9 +12,11 @@ struct Rectangle : SurfaceWall {
   double length = 0, width = scree::Surface::infinite;
 
   static constexpr scree::About about = {
-      "rectangle", "flat rectangle in 3D, segment of a line in 2D; it moves and turns as prescribed",
+      "rectangle",
+      "flat rectangle in 3D, segment of a line in 2D; it moves and turns as prescribed or by forces",
       "length along `along`, width across it;   outside: where the normal points\n"
-      "moves by ∫velocity dt along the direction, turns by ∫spin dt about spin_axis",
+      "motion along the direction and about spin_axis, each prescribed or by forces:\n"
+      "m s\" = F·e + P(t) − γ s', I φ\" = T·a + M(t) − γ' φ'   F, T: of the contacts",
       "—"};
 
   void declare(scree::Declaration& d) {
@@ -47,8 +49,7 @@ struct Rectangle : SurfaceWall {
         return setup.refuse("along is parallel to the normal; give a direction in the rectangle");
       orientation = scree::Rotation::to_axes(1 / norm(x) * x, n);
     }
-    if (const char* const problem = motion.check(axis, setup.dimension())) return setup.refuse(problem);
-    surface = scree::Surface::flat(0.5 * length, 0.5 * width, scree_side(side));
+    set(scree::Surface::flat(0.5 * length, 0.5 * width, scree_side(side)), setup);
   }
   const char* start(const scree::BoundaryStep& s) const {
     SurfaceWall::start(s);

@@ -9,9 +9,10 @@ struct Sphere : SurfaceWall {
 
   static constexpr scree::About about = {
       "sphere",
-      "sphere in 3D, circle in 2D, whole or the part between two heights; it moves and turns as prescribed",
+      "sphere in 3D, circle in 2D, whole or the part between two heights; it moves and turns as prescribed or by forces",
       "the part of the sphere about point with low <= height along the axis <= high;   Hertz contacts: 1/R* = 1/R ± 1/radius\n"
-      "moves by ∫velocity dt along the direction, turns by ∫spin dt about spin_axis",
+      "motion along the direction and about spin_axis, each prescribed or by forces:\n"
+      "m s\" = F·e + P(t) − γ s', I φ\" = T·a + M(t) − γ' φ'   F, T: of the contacts",
       "—"};
 
   void declare(scree::Declaration& d) {
@@ -28,10 +29,10 @@ struct Sphere : SurfaceWall {
     const bool flat = setup.dimension() == 2;
     up = flat ? in_plane(axis) : scree::Vec3{};
     if (flat && !(norm(up) > 0)) up = {{0, 1, 0}};
-    if (const char* const problem = check(setup)) return setup.refuse(problem);
+    if (!has_axis(setup)) return;
     if (!(low < high && low < radius && high > -radius))
       return setup.refuse("low and high leave nothing of the sphere; give low < high within the radius");
-    surface = scree::Surface::ball(radius, low, high, scree_side(side));
+    set(scree::Surface::ball(radius, low, high, scree_side(side)), setup);
   }
   const char* start(const scree::BoundaryStep& s) const {
     SurfaceWall::start(s);

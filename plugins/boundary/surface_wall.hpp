@@ -1,31 +1,42 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
 
-#include <scree/plugin/prescribed_motion.hpp>
+#include <scree/plugin/rigid_motion.hpp>
 
 // What boundaries of one surface have in common: where it is, on which side bodies are, and how it moves.
 struct SurfaceWall {
   std::array<double, 3> point = {}, axis = {0, 0, 1};
   int side = 0;  // in the order of scree_side
-  scree::PrescribedMotion motion;
+  scree::RigidMotion motion;
   scree::Surface surface = {};
 
   void declare_side_and_motion(scree::Declaration& d) {
     d.choice("side", side, "both|outside|inside", "where bodies are").at_start_only();
     motion.declare(d);
   }
-  // Makes the axis a unit vector, and checks the motion. Returns the problem and a remedy, or null.
-  const char* check(const scree::Setup& setup) {
+  // Makes the axis a unit vector, in 2D z; otherwise refuses.
+  bool has_axis(const scree::Setup& setup) {
     if (setup.dimension() == 2) axis = {0, 0, 1};
-    if (!scree::make_unit(axis)) return "its axis or normal has length 0; give a vector such as [0, 0, 1]";
-    return motion.check(axis, setup.dimension());
+    if (scree::make_unit(axis)) return true;
+    setup.refuse("its axis or normal has length 0; give a vector such as [0, 0, 1]");
+    return false;
+  }
+  // Sets the surface, and prepares its motion.
+  void set(const scree::Surface& shape, const scree::Setup& setup) {
+    surface = shape;
+    motion.set_area(projected_area(setup.dimension()));
+    const std::string problem = motion.prepare({axis, setup.dimension(), reach(setup.dimension())});
+    if (!problem.empty()) setup.refuse(problem.c_str());
   }
 
   void describe(scree::BoundaryLayout& layout) const {
     layout.surfaces = {&surface, 1};
-    layout.state = scree::PrescribedMotion::state_width;
-    layout.still = !motion.moves();
+    motion.describe(layout);
   }
   const char* start(const scree::BoundaryStep& s) const {
     const scree::Vec3 place = scree::vector_of(point);
@@ -40,5 +51,45 @@ struct SurfaceWall {
   }
   void begin_step(const scree::BoundaryStep& s) const { motion.begin(s); }
   void finish_step(const scree::BoundaryStep& s) const { motion.finish(s); }
-  void change(const SurfaceWall&, double, const scree::BoundaryStep& s) const { motion.change(s); }
+  void change(const SurfaceWall& before, double, const scree::BoundaryStep& s) const {
+    motion.change(before.motion, s);
+  }
+
+ private:
+  // Seen along the direction of the motion (m², in 2D m × 1 m); 0 if it is not known.
+  double projected_area(int dimension) const {
+    const double along = std::abs(dot(scree::vector_of(axis), scree::vector_of(motion.direction_with(axis))));
+    const auto& [a, b, c, e] = surface.size;
+    double area = 0;
+    if (surface.shape == SCREE_FLAT) area = dimension == 2 ? 2 * a * along : 4 * a * b * along;
+    if (surface.shape == SCREE_REVOLVED && b == e) area = std::numbers::pi * std::abs(a * a - c * c) * along;
+    if (surface.shape == SCREE_BALL && b <= -a && c >= a)
+      area = dimension == 2 ? 2 * a : std::numbers::pi * a * a;
+    return std::isfinite(area) ? area : 0;
+  }
+  // Largest distance (m) of a point of it from the axis about which it turns.
+  double reach(int dimension) const {
+    const scree::Vec3 own = scree::vector_of(axis),
+                      apart = motion.spin_point()
+                                  ? scree::vector_of(*motion.spin_point()) - scree::vector_of(point)
+                                  : scree::Vec3{};
+    const scree::Vec3 turn = scree::vector_of(motion.spin_axis().value_or(axis));
+    const double off = norm(cross(own, apart));
+    const bool about_own = !(norm(cross(own, turn)) > 1e-9 * norm(turn)) && !(off > 1e-9 * norm(apart));
+    const auto& [a, b, c, e] = surface.size;
+    if (surface.shape == SCREE_REVOLVED && about_own) return std::max(a, c);
+    if (surface.shape == SCREE_REVOLVED) return std::max(std::hypot(a, b), std::hypot(c, e)) + norm(apart);
+    if (surface.shape == SCREE_FLAT) return (dimension == 2 ? a : std::hypot(a, b)) + norm(apart);
+    return (surface.shape == SCREE_BALL ? a : reach_of_mesh()) + norm(apart);
+  }
+  double reach_of_mesh() const {
+    const scree_surface& mesh = surface;
+    double reach = 0;
+    const auto points = mesh.mesh_size > 0 ? std::size_t(mesh.mesh[0]) : 0;
+    for (std::size_t p = 0; p < points; ++p) {
+      const double* const x = mesh.mesh + 1 + 3 * p;
+      reach = std::max(reach, surface.size[0] * std::hypot(x[0], x[1], x[2]));
+    }
+    return reach;
+  }
 };

@@ -20,6 +20,7 @@ packing::ContactTable table_of(const pictures::Frame& frame) {
   table.dimension = frame.dimension;
   table.time = frame.time;
   for (const pictures::Wall& wall : frame.walls) table.walls.push_back(wall.name);
+  for (const pictures::Surface& surface : frame.surfaces) table.walls.push_back(surface.name);
   for (std::size_t c = 0; c < frame.contact_count(); ++c)
     table.contacts.push_back({.a = frame.contact_a[c],
                               .b = frame.contact_b[c],

@@ -11,8 +11,8 @@ namespace scree {
 
 // Checks of parts of a scene before the scene is complete. All throw Error with the plug-in's own message.
 
-// Number of planes of all boundaries of a scene. Also throws if a boundary refuses to start.
-std::size_t plane_count(const Scene& scene);
+// Number of planes and surfaces of all boundaries of a scene. Also throws if a boundary refuses to start.
+std::size_t wall_count(const Scene& scene);
 // Names of the surfaces of all boundaries, "<boundary>.<surface>".
 std::vector<std::string> surface_names(const Scene& scene);
 // The periodic domain that the boundaries of a scene define together. Also throws if two boundaries define

@@ -99,8 +99,8 @@ class Simulation {
   const Domain& domain() const;
   const std::vector<scree_plane>& planes() const;
   const std::vector<scree_load>& loads() const;  // contact force on each plane (N)
-  const std::vector<std::uint8_t>& absent_planes()
-      const;  // of each, whether it exerts no force: it is not there
+  const std::vector<std::uint8_t>& absent_walls()
+      const;  // of each plane, then surface, whether it exerts no force: it is not there
   const std::vector<std::string>& plane_names() const;  // "<boundary>.<plane>"
   const std::vector<std::uint32_t>& plane_materials() const;
   // Walls that are no planes. In a contact list they are numbered behind the planes.

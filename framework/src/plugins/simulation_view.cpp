@@ -88,7 +88,7 @@ void SimulationView::show_boundaries(const Simulation& s) {
   material_names_ = pointers_to(s.scene().materials);
   view_.material_count = std::uint32_t(material_names_.size());
   view_.material_names = material_names_.data();
-  view_.plane_absent = s.absent_planes().data();
+  view_.plane_absent = s.absent_walls().data();
   const WallSurfaces& surfaces = s.surfaces();
   surface_names_ = pointers_to(surfaces.names);
   view_.surface_count = std::uint32_t(surfaces.size());

@@ -44,6 +44,7 @@ void add_near_walls(std::span<const Sphere> bodies, BodyRange range, const Bound
       if (height < bodies[i].radius + skin) pairs.push_back({i, w});
     }
     for (std::uint32_t s = 0; s < surfaces.size(); ++s) {
+      if (boundaries.absent()[planes.size() + s]) continue;
       const std::size_t spots =
           spots_near(surfaces[s], bodies[i], skin, known[i * surfaces.size() + s], near);
       for (std::uint32_t spot = 0; spot < spots; ++spot)

@@ -178,7 +178,7 @@ namespace {
 // Whether a body does not touch what it touches in the state, since the wall or the law is absent.
 bool is_absent(const SimulationParts& parts, bool wall, std::uint32_t a, std::uint32_t b) {
   const Boundaries& boundaries = parts.boundaries;
-  if (wall && b < boundaries.planes().size() && boundaries.absent()[b]) return true;
+  if (wall && boundaries.absent()[b]) return true;
   const Scene& scene = parts.scene;
   const std::uint32_t other = wall ? boundaries.wall_materials()[b] : scene.bodies[b].material;
   const std::size_t pair = scene.bodies[a].material * scene.materials.size() + other;

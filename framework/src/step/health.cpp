@@ -1,6 +1,7 @@
 #include "step/health.hpp"
 
 #include "plugins/program_checks.hpp"
+#include "surfaces/placed_surface.hpp"
 #include "walls/boundaries.hpp"
 
 #include <algorithm>
@@ -147,17 +148,32 @@ void report_blow_up(const Simulation& s, double speed_limit) {
        fmt::format("use a shorter time.step (now {:g} s)", s.step_length()));
 }
 
+namespace {
+
+// Of the centre of a body (m); below 0 behind a wall with one side.
+double height_above(const Boundaries& boundaries, const std::vector<PlacedSurface>& surfaces,
+                    std::size_t wall, const Particles& p, std::size_t body) {
+  Vec3 x = {};
+  for (int k = 0; k < p.dimension(); ++k) x[k] = p.position()[k][body];
+  const std::size_t planes = boundaries.planes().size();
+  if (wall >= planes) return surfaces[wall - planes].nearest(x).distance;
+  const scree_plane& plane = boundaries.planes()[wall];
+  double height = 0;
+  for (int k = 0; k < p.dimension(); ++k) height += (x[k] - plane.point[k]) * plane.normal[k];
+  return height;
+}
+
+}  // namespace
+
 void check_appeared(const Particles& p, const Boundaries& boundaries,
                     const std::vector<std::uint8_t>& absent_before) {
+  const std::vector<PlacedSurface> surfaces = placed_surfaces(boundaries.surfaces(), p.dimension());
   for (std::size_t w = 0; w < absent_before.size(); ++w) {
     if (!absent_before[w] || boundaries.absent()[w]) continue;
-    const scree_plane& plane = boundaries.planes()[w];
     std::size_t behind = 0, deepest = 0;
     double lowest = 0;
     for (std::size_t i = 0; i < p.size(); ++i) {
-      double height = 0;
-      for (int k = 0; k < p.dimension(); ++k)
-        height += (p.position()[k][i] - plane.point[k]) * plane.normal[k];
+      const double height = height_above(boundaries, surfaces, w, p, i);
       if (height < 0) ++behind;
       if (height < lowest) lowest = height, deepest = i;
     }
@@ -165,7 +181,7 @@ void check_appeared(const Particles& p, const Boundaries& boundaries,
       throw Error(
           "",
           fmt::format("wall {} is to be there again with the centre of {} behind it, of body {} by {:.3g} m",
-                      boundaries.plane_names()[w], counted(behind, "body", "bodies"), p.id[deepest], -lowest),
+                      boundaries.wall_name(w), counted(behind, "body", "bodies"), p.id[deepest], -lowest),
           "let it come back before they pass, or place it beyond them", ExitStatus::blow_up);
   }
 }

@@ -11,7 +11,7 @@ const Scene& checked(const Scene& scene);
 // particle or contact, the time and a remedy.
 [[noreturn]] void report_blow_up(const Simulation& simulation, double speed_limit);
 
-// Throws Error if a plane that was absent is there and has centres of bodies behind it: they would be pushed
+// Throws Error if a wall that was absent is there and has centres of bodies behind it: they would be pushed
 // out by overlaps larger than their radii.
 void check_appeared(const Particles& particles, const Boundaries& boundaries,
                     const std::vector<std::uint8_t>& absent_before);

@@ -7,7 +7,7 @@
 
 namespace scree {
 
-std::size_t plane_count(const Scene& scene) { return boundaries_of(scene).planes().size(); }
+std::size_t wall_count(const Scene& scene) { return boundaries_of(scene).wall_count(); }
 
 std::vector<std::string> surface_names(const Scene& scene) { return boundaries_of(scene).surfaces().names; }
 

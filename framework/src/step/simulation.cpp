@@ -200,7 +200,7 @@ const Domain& Simulation::domain() const { return parts_->boundaries.domain(); }
 const std::vector<scree_plane>& Simulation::planes() const { return parts_->boundaries.planes(); }
 const std::vector<scree_load>& Simulation::loads() const { return parts_->boundaries.loads(); }
 const std::vector<std::string>& Simulation::plane_names() const { return parts_->boundaries.plane_names(); }
-const std::vector<std::uint8_t>& Simulation::absent_planes() const { return parts_->boundaries.absent(); }
+const std::vector<std::uint8_t>& Simulation::absent_walls() const { return parts_->boundaries.absent(); }
 const std::vector<std::uint32_t>& Simulation::plane_materials() const {
   return parts_->boundaries.plane_materials();
 }

@@ -40,7 +40,7 @@ void Simulation::reconfigure_boundary(const std::string& name, const Parameters&
 
 void Simulation::check_returning_walls(const std::string& name, const Parameters& parameters,
                                        const std::vector<std::string>& going_on) {
-  const std::vector<std::uint8_t>& absent = absent_planes();
+  const std::vector<std::uint8_t>& absent = absent_walls();
   if (std::find(absent.begin(), absent.end(), 1) == absent.end()) return;
   parts_->check_returning_walls(name, parameters, going_on);
 }

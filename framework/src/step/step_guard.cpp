@@ -100,11 +100,11 @@ double stable_step(const ConfiguredLaw& law, scree_encounter encounter, double n
   return 2 / pi / std::sqrt(network) * closed_form(law, encounter, "contact_time").value_or(infinite);
 }
 
-// Number of candidate pairs of each plane.
-std::vector<std::size_t> bodies_near_planes(const Simulation& s) {
-  std::vector<std::size_t> near(s.planes().size(), 0);
+// Number of candidate pairs of each wall.
+std::vector<std::size_t> bodies_near_walls(const Simulation& s) {
+  std::vector<std::size_t> near(s.boundaries().wall_count(), 0);
   for (const PairGroup& group : s.contacts().groups())
-    if (group.planes && !group.surfaces) group.each_pair([&](std::size_t p) { ++near[s.contacts().b[p]]; });
+    if (group.planes) group.each_pair([&](std::size_t p) { ++near[s.contacts().b[p]]; });
   return near;
 }
 
@@ -113,25 +113,26 @@ std::vector<std::size_t> bodies_near_planes(const Simulation& s) {
 void add_wall(const Simulation& s, std::size_t wall, std::size_t near, double speed,
               std::vector<StepLimit>& limits) {
   const Scene& scene = s.scene();
-  const double mass = s.boundaries().plane_masses()[wall];
+  const double mass = s.boundaries().wall_mass(wall);
   const double face = std::pow(double(s.scene().bodies.size()), 1 - 1.0 / s.dimension());
   const double count = std::max(double(near), std::floor(face));
   const std::vector<OfMaterial> smallest = smallest_bodies(scene);
   for (std::size_t a = 0; a < smallest.size(); ++a) {
-    const std::size_t k = scene.law_of[a * smallest.size() + s.boundaries().plane_materials()[wall]];
+    const std::size_t k = scene.law_of[a * smallest.size() + s.boundaries().wall_materials()[wall]];
     const ConfiguredLaw law(scene.laws[k].parameters, s.dimension(), no_bounds, no_bounds);
     for (const Smallest& body : {smallest[a].moving, smallest[a].fixed})
       if (body.count > 0)
-        limits.push_back({fmt::format("wall '{}' of {:g} kg against the {} near it", s.plane_names()[wall],
-                                      mass, counted(std::size_t(count), "body", "bodies")),
-                          stable_step(law, encounter_of(body, {mass / count, infinite}, speed), 1)});
+        limits.push_back(
+            {fmt::format("wall '{}' of {:g} kg against the {} near it", s.boundaries().wall_name(wall), mass,
+                         counted(std::size_t(count), "body", "bodies")),
+             stable_step(law, encounter_of(body, {mass / count, infinite}, speed), 1)});
   }
 }
 
 void add_walls(const Simulation& s, double speed, std::vector<StepLimit>& limits) {
-  const std::vector<std::size_t> near = bodies_near_planes(s);
+  const std::vector<std::size_t> near = bodies_near_walls(s);
   for (std::size_t w = 0; w < near.size(); ++w)
-    if (s.boundaries().plane_masses()[w] > 0) add_wall(s, w, near[w], speed, limits);
+    if (s.boundaries().wall_mass(w) > 0) add_wall(s, w, near[w], speed, limits);
 }
 
 void add_viscosity(const Simulation& s, std::vector<StepLimit>& limits) {
@@ -154,6 +155,8 @@ void add_motion(const Simulation& s, std::vector<StepLimit>& limits) {
     fastest = std::max(fastest, norm(s.particles().body(i).velocity - drift));
   for (const scree_plane& plane : s.planes())
     fastest = std::max(fastest, norm(Vec3{{plane.velocity[0], plane.velocity[1], plane.velocity[2]}}));
+  for (const scree_frame& frame : s.boundaries().surfaces().frames)
+    fastest = std::max(fastest, norm(Vec3{{frame.velocity[0], frame.velocity[1], frame.velocity[2]}}));
   if (fastest > 0 && !s.scene().bodies.empty())
     limits.push_back(
         {fmt::format("the skin of {:.3g} m, which the fastest body or wall crosses at {:.3g} m/s,",

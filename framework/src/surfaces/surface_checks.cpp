@@ -93,7 +93,7 @@ std::vector<std::string> mesh_warnings(const WallSurfaces& surfaces, const Parti
 void check_sides(const WallSurfaces& surfaces, const Particles& bodies) {
   const std::vector<PlacedSurface> placed = placed_surfaces(surfaces, bodies.dimension());
   for (std::size_t s = 0; s < placed.size(); ++s) {
-    if (surfaces.shapes[s].side == SCREE_BOTH_SIDES) continue;
+    if (surfaces.shapes[s].side == SCREE_BOTH_SIDES || surfaces.absent[s]) continue;
     if (placed[s].mesh()) check_inside(placed[s], surfaces.names[s]);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       if (!bodies.fixed.empty() && bodies.fixed[i]) continue;

@@ -36,6 +36,7 @@ void Boundaries::add(const Scene::Boundary& entry) {
   add_domain(member);
   list_planes(member);
   list_surfaces(member);
+  show_walls();
   member.state.assign(member.plugin.instance().state_width, 0.0);
   start(member);
 }
@@ -48,9 +49,6 @@ void Boundaries::list_planes(const Member& member) {
     materials_.push_back(member.entry.material);
   }
   planes_.resize(names_.size());
-  masses_.resize(names_.size());
-  absent_.resize(names_.size());
-  show_planes(member);
   loads_.resize(names_.size());
   name_pointers_.clear();
   for (const std::string& name : names_) name_pointers_.push_back(name.c_str());
@@ -60,11 +58,21 @@ void Boundaries::list_planes(const Member& member) {
   shared_.plane_names = name_pointers_.data();
 }
 
-void Boundaries::show_planes(const Member& member) {
-  const scree_boundary_instance& instance = member.plugin.instance();
-  for (std::uint32_t k = 0; k < instance.plane_count; ++k) {
-    masses_[member.first_plane + k] = instance.plane_masses ? instance.plane_masses[k] : 0;
-    absent_[member.first_plane + k] = instance.plane_absent && instance.plane_absent[k];
+void Boundaries::show_walls() {
+  masses_.resize(planes_.size());
+  surfaces_.masses.resize(surfaces_.size());
+  surfaces_.absent.resize(surfaces_.size());
+  absent_.resize(wall_count());
+  for (const Member& member : members_) {
+    const scree_boundary_instance& instance = member.plugin.instance();
+    for (std::uint32_t k = 0; k < instance.plane_count; ++k) {
+      masses_[member.first_plane + k] = instance.plane_masses ? instance.plane_masses[k] : 0;
+      absent_[member.first_plane + k] = instance.plane_absent && instance.plane_absent[k];
+    }
+    for (std::size_t s = member.first_surface; s < member.first_surface + instance.surface_count; ++s) {
+      surfaces_.masses[s] = instance.surface_mass;
+      absent_[planes_.size() + s] = surfaces_.absent[s] = instance.surfaces_absent != 0;
+    }
   }
 }
 
@@ -179,7 +187,7 @@ void Boundaries::reconfigure(const std::string& name, const Parameters& paramete
 
 void Boundaries::change(Member& member, const ConfiguredBoundary& before, double time_before, double time) {
   const scree_boundary_instance& instance = member.plugin.instance();
-  show_planes(member);
+  show_walls();
   scree_boundary_energy energy = {};
   if (member.plugin.interface().change) {
     if (instance.state_width > member.state.size()) member.state.resize(instance.state_width, 0.0);

@@ -56,9 +56,11 @@ class Boundaries {
   const std::string& wall_name(std::size_t wall) const;
   // "<boundary>.<plane>" of each plane.
   const std::vector<std::string>& plane_names() const { return names_; }
-  // Mass of each plane (kg); 0 for planes that forces do not move.
-  const std::vector<double>& plane_masses() const { return masses_; }
-  // Of each plane, whether it exerts no force, as if it were not there.
+  // Mass of a wall (kg); 0 if forces do not move it.
+  double wall_mass(std::size_t wall) const {
+    return wall < planes_.size() ? masses_[wall] : surfaces_.masses[wall - planes_.size()];
+  }
+  // Of each wall, whether it exerts no force, as if it were not there.
   const std::vector<std::uint8_t>& absent() const { return absent_; }
   // Largest speed with which boundaries try displacements of planes (m/s); 0: none does.
   double displacement_speed() const { return displacement_speed_; }
@@ -113,8 +115,8 @@ class Boundaries {
   void take_over_surfaces(const State& state, const StoredWalls& stored, Member& member);
   // Throws Error if a frame is not as it must be; while: "at the start".
   void check_frames(const Member& member, const std::string& when, ExitStatus status) const;
-  // Masses and absences of its planes, which change with the parameters.
-  void show_planes(const Member& member);
+  // Masses and absences of walls, which change with the parameters.
+  void show_walls();
   void start(Member& member);
   void check_walls_against_domain() const;
   void linearise(const Member& member, double time, const std::vector<scree_plane>& at,

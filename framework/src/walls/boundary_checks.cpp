@@ -33,6 +33,8 @@ void check_layout(const std::string& plugin, const scree_boundary_instance& i, i
   for (std::uint32_t w = 0; i.plane_masses && w < i.plane_count; ++w)
     if (!(i.plane_masses[w] >= 0 && std::isfinite(i.plane_masses[w])))
       refuse(plugin, fmt::format("the mass of wall {} is {:g} kg", w + 1, i.plane_masses[w]));
+  if (!(i.surface_mass >= 0 && std::isfinite(i.surface_mass)))
+    refuse(plugin, fmt::format("the mass of its surfaces is {:g} kg", i.surface_mass));
   if (!(i.damping_rate >= 0)) refuse(plugin, fmt::format("its damping rate is {:g}/s", i.damping_rate));
   if (!(i.displacement_speed >= 0 && std::isfinite(i.displacement_speed)))
     refuse(plugin, fmt::format("its displacement_speed is {:g} m/s", i.displacement_speed));

@@ -63,7 +63,7 @@ void read_boundaries(const document::Table& root, PluginHost& host, Instances& i
     const std::size_t walls_before = walls;
     scene.boundaries.push_back({read.name, 0, read.parameters});
     // Checks all boundaries so far together: each can be valid alone but not in combination.
-    placed(t, "plugin", [&] { walls = plane_count(scene); });
+    placed(t, "plugin", [&] { walls = wall_count(scene); });
     const bool has_walls = walls > walls_before;
     const std::string material = scene.materials.size() > 1 && has_walls
                                      ? t.string(boundary_keys.material)

@@ -57,7 +57,7 @@ TEST_CASE("a wall that is absent keeps its place and bears nothing: the sphere o
   CHECK(s.loads()[0].force[2] == Approx(-sphere_mass * ground_gravity));
   set_ground(s, absent_plane);
   CHECK(s.loads()[0].force[2] == 0);
-  CHECK(s.absent_planes()[0]);
+  CHECK(s.absent_walls()[0]);
   run(s, 1000);
   // Constant acceleration is exact in velocity Verlet; 1000 roundings.
   CHECK(position(s, 0)[2] == Approx(resting_height - 0.5 * ground_gravity * 0.01).epsilon(1e-11));
@@ -121,7 +121,7 @@ TEST_CASE("a stage in which a wall would come back before the centre of a body d
   // All is as at the end of the stage before.
   CHECK(runner.current() == 0);
   CHECK(s.steps() == 2000);
-  CHECK(s.absent_planes()[0]);
+  CHECK(s.absent_walls()[0]);
 }
 
 TEST_CASE("a wall of a box is absent alone") {
@@ -139,7 +139,7 @@ TEST_CASE("a wall of a box is absent alone") {
   Simulation s(scene);
   s.reconfigure_boundary("ground", box(absent_wall));
   s.apply_reconfiguration();
-  CHECK(s.absent_planes() == std::vector<std::uint8_t>{0, 0, 0, 0, 1, 0});
+  CHECK(s.absent_walls() == std::vector<std::uint8_t>{0, 0, 0, 0, 1, 0});
   run(s, 1000);
   CHECK(position(s, 0)[2] == Approx(resting_height - 0.5 * ground_gravity * 0.01).epsilon(1e-11));
 }

@@ -377,7 +377,7 @@ TEST_CASE("a scene may begin from a state without one of its walls, whose contac
   Stretched s;
   s.next.boundaries[0].parameters.set("y_low", {7});  // absent
   const Simulation branch(s.next, s.state, Branching());
-  REQUIRE(branch.absent_planes()[2]);
+  REQUIRE(branch.absent_walls()[2]);
   CHECK(branch.contact_list().size() < s.first.contact_list().size());
   const scree_energy after = branch.energy();
   CHECK(after.dissipated_release == Approx(s.before.elastic_normal + s.before.elastic_tangential -

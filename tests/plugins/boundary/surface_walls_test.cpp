@@ -341,7 +341,7 @@ TEST_CASE("surfaces that cannot be are refused by name", "[surfaces]") {
   CHECK_THAT(problem("cylinder", with({{"radius", {1}}, {"length", {1}}}), 2),
              Catch::Contains("leave it out"));
   CHECK_THAT(problem("cylinder", with({{"radius", {1}}, {"velocity", {1}}}), 2),
-             Catch::Contains("velocity without direction in a 2D scene"));
+             Catch::Contains("a motion without direction in a 2D scene"));
   CHECK_THAT(problem("cylinder", with({{"radius", {1}}, {"spin_point", {1, 0, 0}}})),
              Catch::Contains("spin_point without spin"));
   CHECK_THAT(problem("cylinder", with({{"radius", {0.3}}, {"side", {2}}})),

@@ -29,7 +29,8 @@
 //                                                         response; without it they are prescribed
 //
 // A boundary without walls needs only `describe`. When each is called: scree/plugin/abi/boundary.h.
-// The motion of one wall, prescribed or under stress: scree/plugin/wall_motion.hpp.
+// The motion of one wall, prescribed or under stress: scree/plugin/wall_motion.hpp. Of surfaces:
+// scree/plugin/rigid_motion.hpp.
 
 namespace scree {
 
@@ -136,6 +137,8 @@ struct BoundaryLayout {
   std::optional<Axis> periodic[3] = {};   // the same in all stages
   std::span<const Surface> surfaces = {};      // members of the struct; the same in all stages
   const char* const* surface_names = nullptr;  // of the surfaces, if they have names
+  double surface_mass = 0;       // (kg) that the lightest contact with a surface feels; 0: forces move none
+  bool surfaces_absent = false;  // exert no forces
 };
 
 // Equation of small motions of a wall along one direction, m s" + γ s' + Σ_c k_c x_c = F, x = s + d, with the
@@ -207,6 +210,8 @@ inline void assign(scree_boundary_instance& instance, const BoundaryLayout& layo
   instance.surface_count = std::uint32_t(layout.surfaces.size());
   instance.surfaces = layout.surfaces.data();
   instance.surface_names = layout.surface_names;
+  instance.surface_mass = layout.surface_mass;
+  instance.surfaces_absent = layout.surfaces_absent;
   for (int k = 0; k < 3; ++k) {
     if (!layout.periodic[k]) continue;
     instance.periodic[k] = 1;

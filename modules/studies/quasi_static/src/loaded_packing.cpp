@@ -23,7 +23,7 @@ Sample sample_of(const QuasiStatic& balance, double time) {
   return {.time = time,
           .planes = balance.planes(),
           .loads = balance.loads(),
-          .absent = balance.absent_planes(),
+          .absent = balance.absent_walls(),
           .contacts = balance.touching(),
           .sliding = balance.sliding()};
 }
@@ -33,7 +33,7 @@ Sample sample_of(const Simulation& moving, double time) {
   return {.time = time,
           .planes = moving.planes(),
           .loads = moving.loads(),
-          .absent = moving.absent_planes(),
+          .absent = moving.absent_walls(),
           .contacts = sliding.size(),
           .sliding = std::size_t(std::count(sliding.begin(), sliding.end(), 1)),
           .dynamic = true};

@@ -55,11 +55,9 @@ void add_table_row(const Simulation& s, const ContactList& list, std::size_t c, 
   const bool wall = b >= p.size();
   frame.contact_a.push_back(p.id[a]);
   frame.contact_b.push_back(wall ? -1 : p.id[b]);
-  // Among the walls of the frame, which has no absent ones, and then the surfaces.
-  const auto first = s.absent_planes().begin();
-  const std::size_t number = wall ? b - p.size() : 0, planes = std::min(number, s.planes().size());
-  frame.contact_wall.push_back(
-      wall ? std::int32_t(std::count(first, first + planes, 0)) + std::int32_t(number - planes) : -1);
+  // Among the walls of the frame, which has no absent ones, planes first.
+  const auto first = s.absent_walls().begin();
+  frame.contact_wall.push_back(wall ? std::int32_t(std::count(first, first + (b - p.size()), 0)) : -1);
   const double arm = p.radius()[a] - 0.5 * list.overlap[c];
   for (std::size_t k = 0; k < 3; ++k) {
     const double n = list.normal[3 * c + k];
@@ -102,6 +100,7 @@ SurfaceOutline outline(const Simulation& s, std::size_t surface, const SceneBox&
 
 void add_surfaces(const Simulation& s, const SceneBox& box, pictures::Frame& frame) {
   for (std::size_t k = 0; k < s.surfaces().size(); ++k) {
+    if (s.absent_walls()[s.planes().size() + k]) continue;
     const SurfaceOutline shape = outline(s, k, box);
     pictures::Surface& surface = frame.surfaces.emplace_back();
     surface.name = s.surfaces().names[k];
@@ -179,7 +178,7 @@ pictures::Frame frame_of(const Simulation& s, const std::string& title, const Sc
   if (color_by.starts_with("displacement")) add_displacements(s, frame);
   if (color_by == "group") add_groups(s, frame);
   for (std::size_t w = 0; w < s.planes().size(); ++w) {
-    if (s.absent_planes()[w]) continue;
+    if (s.absent_walls()[w]) continue;
     const scree_plane& plane = s.planes()[w];
     frame.walls.push_back({s.plane_names()[w],
                            {plane.point[0], plane.point[1], plane.point[2]},

@@ -12,6 +12,7 @@
 #include <scree/run/step_check.hpp>
 #include <scree/run/warnings.hpp>
 #include <scree/surface_checks.hpp>
+#include <scree/surface_outline.hpp>
 
 namespace scree::run {
 
@@ -87,6 +88,30 @@ void add_cut_warning(const scenario::SnapshotPlan& snapshot, const Simulation& s
       p.size()));
 }
 
+// A surface has no periodic images: where it ends beyond a periodic face, bodies that re-enter do not meet it.
+void add_periodic_warnings(const Simulation& s, std::vector<std::string>& warnings) {
+  const Domain& domain = s.domain();
+  if (!domain.any_periodic()) return;
+  const Vec3 length = domain.upper - domain.lower;
+  for (std::size_t k = 0; k < s.surfaces().size(); ++k) {
+    const SurfaceOutline shape =
+        outline_of(s.surfaces(), k, s.dimension(), domain.lower - length, domain.upper + length);
+    for (int axis = 0; axis < s.dimension(); ++axis) {
+      if (!domain.periodic[std::size_t(axis)] || shape.points.empty()) continue;
+      const auto before = [axis](const Vec3& a, const Vec3& b) { return a[axis] < b[axis]; };
+      const auto [first, last] = std::minmax_element(shape.points.begin(), shape.points.end(), before);
+      const double slack = 1e-9 * length[axis];
+      const double low = (*first)[axis] - domain.lower[axis], high = (*last)[axis] - domain.upper[axis];
+      if ((low < -slack || high > slack) && (low > slack || high < -slack))
+        warnings.push_back(fmt::format(
+            "surface {} crosses the periodic face {} = {:g} m, and has no image at the other one: "
+            "bodies that cross the face do not meet it there; keep it inside the period, or let it "
+            "go through all of it",
+            s.surfaces().names[k], "xyz"[axis], low < -slack ? domain.lower[axis] : domain.upper[axis]));
+    }
+  }
+}
+
 }  // namespace
 
 LargestOverlap largest_overlap(const Simulation& s) {
@@ -109,6 +134,7 @@ std::vector<std::string> start_warnings(const scenario::Plan& plan, const Simula
   if (const auto step = step_warning(s)) warnings.push_back(*step);
   warnings.insert(warnings.end(), s.let_go().begin(), s.let_go().end());
   for (std::string& line : mesh_warnings(s.surfaces(), s.particles())) warnings.push_back(std::move(line));
+  add_periodic_warnings(s, warnings);
   add_integrator_warning(s.scene(), warnings);
   add_grazing_warning(s, warnings);
   add_cut_warning(plan.snapshot, s, warnings);

@@ -82,7 +82,7 @@ typedef struct scree_boundary_instance {
   const char* const* plane_names; /* (optional) plane_count names, none of which is NULL */
   const double* plane_masses; /* (optional) plane_count masses (kg), in the plug-in's storage; 0 for planes
                                  that forces do not move */
-  double damping_rate; /* (1/s) at which the boundary's own viscosity slows its lightest plane; 0 without */
+  double damping_rate; /* (1/s) at which the boundary's own viscosity slows its lightest wall; 0 without */
   double
       displacement_speed; /* (m/s) above 0: `begin_step` asks for loads after displacements of at most this speed * |step| */
   uint32_t still; /* nonzero: no plane moves, and `begin_step` and `finish_step` are not called */
@@ -92,6 +92,8 @@ typedef struct scree_boundary_instance {
   uint32_t surface_count;           /* the same in all stages, and so are the shapes */
   const scree_surface* surfaces;    /* (optional) surface_count, in the plug-in's storage */
   const char* const* surface_names; /* (optional) surface_count names, none of which is NULL */
+  double surface_mass;      /* (kg) that the lightest contact with a surface feels; 0 if forces move none */
+  uint32_t surfaces_absent; /* nonzero: the surfaces keep their places and exert no forces */
 } scree_boundary_instance;
 
 /* Equation of small motions of a plane about its present state, along one direction:

@@ -9,7 +9,7 @@
 extern "C" {
 #endif
 
-#define SCREE_MAX_INSTANCE_SIZE 1024u /* most bytes of storage of an instance */
+#define SCREE_MAX_INSTANCE_SIZE 8192u /* most bytes of storage of an instance */
 
 typedef enum scree_type {
   SCREE_NUMBER = 0,  /* one double */

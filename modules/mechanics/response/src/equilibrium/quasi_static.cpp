@@ -100,7 +100,7 @@ class QuasiStatic::Packing {
                                       .contacts = equilibrium_.contacts().touching()});
   }
   std::vector<scree_plane> planes() const { return configuration_.planes(simulation_); }
-  const std::vector<std::uint8_t>& absent_planes() const { return simulation_.absent_planes(); }
+  const std::vector<std::uint8_t>& absent_walls() const { return simulation_.absent_walls(); }
   std::vector<scree_load> wall_loads() const {
     std::vector<scree_load> all;
     for (std::size_t w = 0; w < simulation_.planes().size(); ++w) {
@@ -196,7 +196,7 @@ std::size_t QuasiStatic::touching() const {
 std::size_t QuasiStatic::sliding() const { return packing_->count(PairStatus::slides); }
 std::vector<scree_plane> QuasiStatic::planes() const { return packing_->planes(); }
 std::vector<scree_load> QuasiStatic::loads() const { return packing_->wall_loads(); }
-const std::vector<std::uint8_t>& QuasiStatic::absent_planes() const { return packing_->absent_planes(); }
+const std::vector<std::uint8_t>& QuasiStatic::absent_walls() const { return packing_->absent_walls(); }
 State QuasiStatic::state() const { return packing_->state(); }
 
 }  // namespace scree::response

@@ -56,7 +56,7 @@ void StaticContacts::find_pairs(const StaticConfiguration& at, double gap) {
       add(a, next->b, p.material[next->b], shift);
     }
     for (std::size_t w = 0; w < simulation_.planes().size(); ++w) {
-      if (simulation_.absent_planes()[w]) continue;
+      if (simulation_.absent_walls()[w]) continue;
       const auto b = std::uint32_t(p.size() + w);
       const Vec3 apart = at.position[a] - at.position[b];
       double distance = 0;

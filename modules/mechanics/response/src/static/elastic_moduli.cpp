@@ -137,7 +137,7 @@ WallPair wall_pair(const Simulation& simulation) {
         counted(fixed, "body is fixed", "bodies are fixed"), fixed == 1 ? "bears" : "bear"));
   const std::vector<scree_plane>& planes = simulation.planes();
   const int dimension = simulation.dimension();
-  const auto there = std::count(simulation.absent_planes().begin(), simulation.absent_planes().end(), 0);
+  const auto there = std::count(simulation.absent_walls().begin(), simulation.absent_walls().end(), 0);
   const auto refuse = [&] {
     return Error(fmt::format(
         "elastic constants need two parallel walls across an axis and periodic boundaries along {}; here are {} "
@@ -145,7 +145,7 @@ WallPair wall_pair(const Simulation& simulation) {
         dimension == 2 ? "the other axis" : "the other two", there, there == 1 ? "" : "s",
         periodic_axes(simulation)));
   };
-  const auto& absent = simulation.absent_planes();
+  const auto& absent = simulation.absent_walls();
   if (planes.size() != 2 || absent[0] || absent[1]) throw refuse();
   const auto [axis, first] = side_of(planes[0], dimension);
   const auto [other_axis, second] = side_of(planes[1], dimension);

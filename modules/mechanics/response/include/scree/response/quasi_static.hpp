@@ -60,7 +60,7 @@ class QuasiStatic {
   std::vector<scree_plane> planes() const;
   std::vector<scree_load> loads() const;
   // 1 for walls that are not there.
-  const std::vector<std::uint8_t>& absent_planes() const;
+  const std::vector<std::uint8_t>& absent_walls() const;
   // The state of the simulation with this packing at rest, at this time.
   State state() const;
 

@@ -1,0 +1,281 @@
+#include "wall_support.hpp"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include <scree/energy.hpp>
+#include <scree/error.hpp>
+#include <scree/state.hpp>
+#include <scree/wall_surfaces.hpp>
+
+// Surfaces that forces and torques move, against closed forms and planes.
+
+using namespace scree;
+using namespace scree::test;
+
+namespace {
+
+// Choices of `control` and `spin_control`.
+enum { at_rest, by_displacement, by_velocity, by_force, by_stress, left_out };
+enum { spin_at_rest, by_angle, by_spin, by_torque };
+
+constexpr double disc_mass = 2, stiffness = 1e4;
+const Values plate = {{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}, {"radius", {0.2}}, {"mass", {disc_mass}}};
+
+Values with(const Values& some, const Values& added) {
+  Values all = some;
+  all.insert(all.end(), added.begin(), added.end());
+  return all;
+}
+void reconfigure(Simulation& s, const std::string& plugin, const Values& values) {
+  s.reconfigure_boundary(plugin, parameters(plugin, SCREE_BOUNDARY, values));
+  s.apply_reconfiguration();
+}
+Scene far_body(double step) { return scene(3, step, {body(1, 0.01, 0.01, {{0, 0, 9}})}, elastic); }
+const scree_frame& frame(const Simulation& s) { return s.surfaces().frames[0]; }
+
+// The problem when a scene with this boundary starts.
+std::string problem(const std::string& plugin, const Values& values) {
+  Scene sc = far_body(1e-5);
+  try {
+    add_boundary(sc, plugin, values);
+    Simulation s(sc);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "nothing";
+}
+
+}  // namespace
+
+TEST_CASE("a disc under a force or a stress moves as a plane does", "[surfaces]") {
+  const double area = 0.04 * 3.141592653589793;
+  const auto [of_disc, of_plane] = GENERATE_COPY(
+      std::pair{Values{{"force", {1, 10, 5, 30, 0}}, {"viscosity", {20}}},
+                Values{{"control", {plane_force}}, {"force", {1, 10, 5, 30, 0}}, {"viscosity", {20}}}},
+      std::pair{Values{{"stress", {0, 500}}},
+                Values{{"control", {plane_stress}}, {"stress", {0, 500}}, {"area", {area}}}},
+      std::pair{Values{{"force", {0, -4}}, {"superposed", {3, 0, 0.01, 0.2}}},
+                Values{{"control", {plane_force}}, {"force", {0, -4}}, {"superposed", {3, 0, 0.01, 0.2}}}});
+  for (const Integration integration :
+       {Integration::velocity_verlet, Integration::position_verlet, Integration::fourth_order}) {
+    Scene one = scene(3, 1e-4, {body(1, 0.05, 0.5, {{0, 0, 0.05}}, {{0, 0, -0.5}})}, elastic), other = one;
+    one.integration = other.integration = integration;
+    add_boundary(one, "disc", with(plate, of_disc));
+    add_boundary(other, "plane",
+                 with({{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}, {"mass", {disc_mass}}}, of_plane));
+    Simulation disc(one), plane(other);
+    run(disc, 2000);
+    run(plane, 2000);
+    // Round-off of 2000 steps of a distance below 1 m; the projected area is rounded otherwise.
+    CHECK(frame(disc).position[2] == Approx(plane.planes()[0].point[2]).margin(1e-12));
+    CHECK(frame(disc).velocity[2] == Approx(plane.planes()[0].velocity[2]).margin(1e-11));
+    CHECK(velocity(disc, 0)[2] == Approx(velocity(plane, 0)[2]).margin(1e-11));
+    CHECK(disc.energy().kinetic_boundary == Approx(plane.energy().kinetic_boundary).epsilon(1e-11));
+    CHECK(disc.energy().residual == Approx(plane.energy().residual).margin(1e-11));
+  }
+}
+
+// ω = M/γ (1 − exp(−γ t/I)). Step error: (γ h/I)²/12 = 8e-8.
+TEST_CASE("a surface under a torque obeys I φ'' = M − γ φ'", "[surfaces]") {
+  constexpr double inertia = 0.02, torque = 0.3, viscosity = 0.2, step = 1e-4;
+  Scene sc = far_body(step);
+  add_boundary(sc, "cylinder",
+               {{"point", {0.3, 0, 0}},
+                {"axis", {0, 0, 1}},
+                {"radius", {0.1}},
+                {"torque", {0, torque}},
+                {"inertia", {inertia}},
+                {"spin_viscosity", {viscosity}},
+                {"spin_axis", {0, 0, 2}},
+                {"spin_point", {0.3, 0, 7}}});
+  Simulation s(sc);
+  run(s, 2000);
+  const double rate = viscosity / inertia, last = torque / viscosity;
+  CHECK(frame(s).spin[2] == Approx(last * (1 - std::exp(-rate * s.time()))).epsilon(1e-6));
+  CHECK(norm(Vec3{{frame(s).velocity[0], frame(s).velocity[1], frame(s).velocity[2]}}) == 0);
+  CHECK(s.energy().kinetic_boundary == Approx(0.5 * inertia * frame(s).spin[2] * frame(s).spin[2]));
+  CHECK(std::abs(s.energy().residual) < 1e-6 * s.energy().work);
+}
+
+// Elastic impacts of a bead on a free disc, and on a plate that turns about an axis at a distance r, which
+// has the mass I/r² there. A contact that begins or ends within a step has an energy of at most k (v h)²/2 =
+// 8e-6 of the energy too little or too much; the plate turns by 2e-4 rad while it is touched.
+TEST_CASE("a bead gives momentum to a surface that is free, and spin to one on a hinge", "[surfaces]") {
+  constexpr double mass = 0.5, speed = 0.01, arm = 0.25;
+  for (const bool hinge : {false, true}) {
+    Scene sc = scene(3, 2e-5, {body(1, 0.05, mass, {{0, 0, 0.0501}}, {{0, 0, -speed}})}, elastic);
+    const double inertia = 0.08, other = hinge ? inertia / (arm * arm) : disc_mass;
+    if (hinge)
+      add_boundary(sc, "rectangle",
+                   {{"point", {-0.05, 0, 0}},
+                    {"normal", {0, 0, 1}},
+                    {"along", {1, 0, 0}},
+                    {"length", {0.4}},
+                    {"width", {0.4}},
+                    {"torque", {0, 0}},
+                    {"inertia", {inertia}},
+                    {"spin_axis", {0, 1, 0}},
+                    {"spin_point", {-arm, 0, 0}}});
+    else
+      add_boundary(sc, "disc", with(plate, {{"force", {0, 0}}}));
+    Simulation s(sc);
+    run(s, 4000);
+    REQUIRE(position(s, 0)[2] > 0.05);
+    const double sum = mass + other;
+    CHECK(velocity(s, 0)[2] == Approx(-speed * (mass - other) / sum).epsilon(5e-4));
+    const double given = -2 * mass / sum * speed;
+    if (hinge)
+      CHECK(frame(s).spin[1] == Approx(-given / arm).epsilon(5e-4));
+    else
+      CHECK(frame(s).velocity[2] == Approx(given).epsilon(1.6e-5));
+    const double energy = 0.5 * mass * speed * speed;
+    CHECK(s.energy().kinetic_translation + s.energy().kinetic_boundary == Approx(energy).epsilon(1.6e-5));
+    CHECK(std::abs(s.energy().residual) < 1.6e-5 * energy);
+  }
+}
+
+TEST_CASE("a wheel that bodies drive takes up the work that they do", "[surfaces]") {
+  // A sphere slides on a turning disc until both turn alike: friction μ m g at the radius r spins up the disc.
+  constexpr double step = 1e-5, inertia = 0.05, radius = 0.15, friction = 0.3, weight = 0.1 * 9.81;
+  Scene sc = scene(3, step, {body(1, 0.02, 0.1, {{radius, 0, 0.02 - weight / stiffness}}, {{0, 1, 0}})},
+                   {{"normal_stiffness", {stiffness}},
+                    {"normal_damping", {0}},
+                    {"tangential_stiffness", {1e4}},
+                    {"static_friction", {friction}}});
+  add_boundary(sc, "disc",
+               {{"point", {0, 0, 0}},
+                {"normal", {0, 0, 1}},
+                {"radius", {0.3}},
+                {"torque", {0, 0}},
+                {"inertia", {inertia}}});
+  add_body_force(sc, "gravity", {{"acceleration", {0, 0, -9.81}}});
+  Simulation s(sc);
+  run(s, 200);
+  const double before = frame(s).spin[2], at = s.time();
+  run(s, 1000);
+  // Sliding along y at x = r; in 0.01 s the sphere goes 1 cm, the direction and the arm change by (0.01/0.15)²/2.
+  CHECK((frame(s).spin[2] - before) / (s.time() - at) ==
+        Approx(friction * weight * radius / inertia).epsilon(3e-3));
+  CHECK(std::abs(s.energy_residual()) < 1e-6);
+}
+
+TEST_CASE("between any two controls a surface goes on from where it is, and the balance stays closed",
+          "[surfaces]") {
+  struct Control {
+    Values along, turn;
+    double speed, spin;  // at once; NaN: as before
+  };
+  const double same = std::nan("");
+  const Control controls[] = {{{{"control", {at_rest}}}, {{"spin_control", {spin_at_rest}}}, 0, 0},
+                              {{{"control", {by_displacement}}, {"displacement", {3, 0.5, 0.7, 0.1}}},
+                               {{"spin_control", {by_angle}}, {"angle", {3, 0, 0.3, 0.1}}},
+                               2,
+                               3},
+                              {{{"control", {by_velocity}}, {"velocity", {0, -3}}},
+                               {{"spin_control", {by_spin}}, {"spin", {0, 5}}},
+                               -3,
+                               5},
+                              {{{"control", {by_force}}, {"force", {0, -30}}},
+                               {{"spin_control", {by_torque}}, {"torque", {0, 0.1}}, {"inertia", {0.02}}},
+                               same,
+                               same}};
+  for (const Control& before : controls)
+    for (const Control& after : controls) {
+      Scene sc = far_body(1e-4);
+      add_boundary(sc, "disc", with(plate, with(before.along, before.turn)));
+      Simulation s(sc);
+      run(s, 200);
+      const scree_frame old = frame(s);
+      reconfigure(s, "disc", with(plate, with(after.along, after.turn)));
+      CHECK(frame(s).position[2] == old.position[2]);
+      CHECK(frame(s).orientation[3] == old.orientation[3]);
+      CHECK(frame(s).velocity[2] == Approx(std::isnan(after.speed) ? old.velocity[2] : after.speed));
+      CHECK(frame(s).spin[2] == Approx(std::isnan(after.spin) ? old.spin[2] : after.spin));
+      run(s, 200);
+      // Round-off of 400 terms of 9 J.
+      CHECK(std::abs(s.energy().residual) < 9 * 400 * 2 * unit_round_off);
+    }
+}
+
+TEST_CASE("surfaces that forces move go on from a state to the same bits", "[surfaces]") {
+  for (const Integration integration :
+       {Integration::velocity_verlet, Integration::position_verlet, Integration::fourth_order}) {
+    std::vector<Body> bodies;
+    for (int i = 0; i < 6; ++i)
+      bodies.push_back(body(i + 1, 0.05, 0.1, {{0.11 * (i % 3) - 0.11, 0.11 * (i / 3) - 0.05, 0.06}}));
+    Scene sc = scene(3, 1e-5, bodies,
+                     {{"normal_stiffness", {1e5}},
+                      {"restitution", {0.7}},
+                      {"tangential_stiffness", {3e4}},
+                      {"static_friction", {0.4}}});
+    sc.integration = integration;
+    add_boundary(sc, "disc",
+                 with(plate, {{"force", {0, 3}},
+                              {"superposed", {1, 0, 1e-3, 20, 0}},
+                              {"torque", {0, 0.2}},
+                              {"inertia", {0.02}}}));
+    add_body_force(sc, "gravity", {{"acceleration", {0.5, 0, -9.81}}});
+    Simulation whole(sc), first(sc);
+    run(whole, 6000);
+    run(first, 2300);
+    Simulation second(sc, first.state());
+    run(second, 3700);
+    CHECK(second.state_hash() == whole.state_hash());
+  }
+}
+
+TEST_CASE("a surface that is absent bears nothing, and comes back before bodies have passed", "[surfaces]") {
+  Scene sc = scene(3, 1e-4, {body(1, 0.1, 1, {{0, 0, 0.1 - 10 / stiffness}})},
+                   {{"normal_stiffness", {stiffness}}, {"normal_damping", {20}}});
+  const Values lid = {{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}, {"radius", {0.2}}, {"side", {1}}};
+  const Values absent_lid = with(lid, {{"control", {left_out}}});
+  add_boundary(sc, "disc", lid);
+  add_body_force(sc, "gravity", {{"acceleration", {0, 0, -10}}});
+  Simulation s(sc);
+  run(s, 10);
+  CHECK(s.surfaces().loads[0].force[2] == Approx(-10));
+  reconfigure(s, "disc", absent_lid);
+  CHECK(s.absent_walls()[0]);
+  CHECK(s.surfaces().loads[0].force[2] == 0);
+  run(s, 500);
+  CHECK(position(s, 0)[2] == Approx(0.1 - 10 / stiffness - 0.0125).epsilon(1e-11));
+  reconfigure(s, "disc", lid);  // the centre is still above
+  run(s, 10);
+  CHECK(s.surfaces().loads[0].force[2] < 0);
+  reconfigure(s, "disc", absent_lid);
+  run(s, 3000);
+  REQUIRE(position(s, 0)[2] < 0);
+  CHECK_THROWS_WITH(reconfigure(s, "disc", lid), Catch::Contains("with the centre of 1 body behind it"));
+  // From the start, with bodies behind.
+  Scene below = sc;
+  below.boundaries.clear();
+  below.bodies[0].position[2] = -1;
+  add_boundary(below, "disc", absent_lid);
+  Simulation passing(below);
+  run(passing, 10);
+  CHECK(position(passing, 0)[2] < -1);
+}
+
+TEST_CASE("motions of surfaces that cannot be are refused by name", "[surfaces]") {
+  const Values disc = {{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}, {"radius", {0.2}}};
+  const Values endless = {{"point", {5, 0, 0}}, {"axis", {0, 0, 1}}, {"radius", {0.2}}};
+  CHECK_THAT(problem("disc", with(disc, {{"force", {0, 1}}})), Catch::Contains("mass is missing"));
+  CHECK_THAT(problem("disc", with(disc, {{"torque", {0, 1}}})), Catch::Contains("inertia is missing"));
+  CHECK_THAT(problem("disc", with(plate, {{"force", {0, 1}}, {"velocity", {0, 1}}})),
+             Catch::Contains("without control; say which, such as control = \"velocity\""));
+  CHECK_THAT(problem("disc", with(disc, {{"spin", {0, 1}}, {"angle", {0, 1}}})),
+             Catch::Contains("without spin_control"));
+  CHECK_THAT(problem("disc", with(disc, {{"control", {by_velocity}}})), Catch::Contains("give velocity"));
+  CHECK_THAT(problem("disc", with(disc, {{"spin_control", {by_torque}}})), Catch::Contains("give torque"));
+  CHECK_THAT(problem("disc", with(disc, {{"superposed", {0, 1}}})), Catch::Contains("superposed on none"));
+  CHECK_THAT(problem("cylinder", with(endless, {{"stress", {0, 1}}, {"mass", {1}}})),
+             Catch::Contains("give area"));
+  CHECK_THAT(
+      problem("cylinder", with(endless, {{"torque", {0, 1}}, {"inertia", {1}}, {"spin_axis", {1, 0, 0}}})),
+      Catch::Contains("a surface without end"));
+  CHECK(problem("cylinder", with(endless, {{"torque", {0, 1}}, {"inertia", {1}}})) == "nothing");
+}
