@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Writes the meshes of these scenes as binary STL files beside itself: python3 meshes.py
 
-Coordinates are whole numbers of millimetres wherever a surface is flat (scale = 0.001 in the scene), since STL has
-single precision: so each face is flat to the last bit.
+Where a surface is flat, coordinates are whole numbers of half millimetres (scale = 0.001 in the scene): STL
+has single precision, and so each face is flat to the last bit.
 """
 import math
 import pathlib
@@ -38,7 +38,8 @@ def box(half, n):
                 return tuple(point)
             for i in range(n):
                 for j in range(n):
-                    q = [corner(at[i], at[j]), corner(at[i + 1], at[j]), corner(at[i + 1], at[j + 1]), corner(at[i], at[j + 1])]
+                    u, v = (at[i], at[i + 1]), (at[j], at[j + 1])
+                    q = [corner(u[0], v[0]), corner(u[1], v[0]), corner(u[1], v[1]), corner(u[0], v[1])]
                     triangles += quad(*(q if side > 0 else q[::-1]))
     return triangles
 
@@ -55,10 +56,12 @@ def chute(length, width, slivers):
 
 def drum(radius, length, sides):
     """The inside of a cylinder about the y axis, with corners on it."""
-    ring = [(radius * math.cos(2 * math.pi * k / sides), radius * math.sin(2 * math.pi * k / sides)) for k in range(sides)]
+    turn = 2 * math.pi / sides
+    ring = [(radius * math.cos(turn * k), radius * math.sin(turn * k)) for k in range(sides)]
     triangles = []
     for (x0, z0), (x1, z1) in zip(ring, ring[1:] + ring[:1]):
-        triangles += quad((x0, -length / 2, z0), (x1, -length / 2, z1), (x1, length / 2, z1), (x0, length / 2, z0))
+        triangles += quad((x0, -length / 2, z0), (x1, -length / 2, z1),
+                          (x1, length / 2, z1), (x0, length / 2, z0))
     return triangles
 
 
