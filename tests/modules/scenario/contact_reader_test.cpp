@@ -45,7 +45,7 @@ TEST_CASE("with several materials every wall needs one", "[scenario]") {
       with(with_materials_named(two_materials), "gap = 0.005\nmaterial = 'steel'\n", "gap = 0.005\n");
   CHECK_THAT(refusal(silent), Catch::Contains("[[boundary]] has no 'material'"));
   CHECK(plan_of(with_materials_named(two_materials)).scene.boundaries[0].material == 1);
-  const std::string circle = "[[boundary]]\nplugin = 'cylinder'\npoint = [0, 0, 0]\nradius = 9\n";
+  const std::string circle = "[[boundary]]\nplugin = 'cylinder'\npoint = [0, 0]\nradius = 9\n";
   CHECK_THAT(refusal(with_materials_named(two_materials) + circle),
              Catch::Contains("[[boundary]] has no 'material'"));
 }
