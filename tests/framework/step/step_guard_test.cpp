@@ -145,6 +145,42 @@ TEST_CASE("drag, fast bodies, light and viscous walls limit the step and are nam
   CHECK_THAT(box(1, 1e7).cause, Catch::Contains("viscosity"));
 }
 
+// A contact at the distance r from the axis of a spin feels the mass I/r² beside m: 1/m + r²/I is how easily it
+// moves the surface.
+TEST_CASE("surfaces that forces and torques move limit the step like walls of the mass that contacts feel") {
+  const double light = 1e-6, inertia = 1e-8, radius = 0.2, off = 0.3;
+  const auto limit = [&](const std::string& plugin, scree::test::Values values) {
+    Scene s = scree::test::scene(3, 1e-9, {grain(1, 0)}, damped_law());
+    values.insert(values.end(), {{"point", {-9, 0, -9}}, {"radius", {radius}}});
+    scree::test::add_boundary(s, plugin, values);
+    return shortest_limit(Simulation(s));
+  };
+  const auto step = [&](double mass) {
+    return Approx(2 / std::sqrt(grain_stiffness * (1 / grain_mass + 1 / mass)));
+  };
+  const scree::test::Values pushed = {{"normal", {0, 0, 1}}, {"force", {0, 1}}, {"mass", {light}}},
+                            turned = {{"axis", {0, 0, 1}}, {"torque", {0, 1}}, {"inertia", {inertia}}};
+  CHECK(limit("disc", pushed).longest_step == step(light));
+  CHECK_THAT(limit("disc", pushed).cause, Catch::Contains("wall 'disc' of 1e-06 kg"));
+  CHECK(limit("cylinder", turned).longest_step == step(inertia / (radius * radius)));
+  scree::test::Values both = turned, apart = turned;
+  both.insert(both.end(), {{"force", {0, 1}}, {"mass", {light}}});
+  CHECK(limit("cylinder", both).longest_step == step(1 / (1 / light + radius * radius / inertia)));
+  apart.insert(apart.end(), {{"length", {0.1}}, {"spin_point", {off, 0, 0}}});
+  const double reach = std::hypot(radius, 0.05) + std::hypot(9 + off, 9);
+  CHECK(limit("cylinder", apart).longest_step == step(inertia / (reach * reach)));
+  // Viscosity damps a distance at 1e7/s, a turn at 2e7/s.
+  const scree::test::Values slow = {
+      {"normal", {0, 0, 1}}, {"force", {0, 1}}, {"mass", {1}}, {"viscosity", {1e7}}};
+  CHECK(limit("disc", slow).longest_step == Approx(1e-7));
+  scree::test::Values slower = slow;
+  slower.insert(slower.end(), {{"torque", {0, 1}}, {"inertia", {1}}, {"spin_viscosity", {2e7}}});
+  CHECK(limit("disc", slower).longest_step == Approx(5e-8));
+  // Heavy ones and prescribed ones do not; fast ones do.
+  CHECK(limit("disc", {{"normal", {0, 0, 1}}, {"velocity", {0, 1e5}}}).longest_step ==
+        Approx(0.1 * grain_radius / 1e5));
+}
+
 TEST_CASE("the limit of a cloud does not depend on its mean velocity, unless there are walls") {
   const auto limit = [](double boost, bool wall) {
     Scene s = scree::test::scene(3, 1e-9, {grain(1, 0), grain(2, 3)}, damped_law());

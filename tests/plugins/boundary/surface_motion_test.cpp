@@ -79,6 +79,29 @@ TEST_CASE("a disc under a force or a stress moves as a plane does", "[surfaces]"
   }
 }
 
+TEST_CASE("a stress acts on the area that is seen along the motion", "[surfaces]") {
+  constexpr double half_turn = 3.141592653589793,
+                   tilt = 0.6;  // cosine of the angle between normal and direction
+  const auto area_of = [](int dimension, const std::string& plugin, const Values& shape) {
+    Scene sc = scene(dimension, 1e-4, {body(1, 0.01, 0.01, {{0, 9, 0}}, {}, {}, dimension)}, elastic);
+    add_boundary(sc, plugin, with(shape, {{"point", {0, 0, 0}}, {"stress", {0, 3}}, {"mass", {disc_mass}}}));
+    Simulation s(sc);
+    run(s, 100);
+    const auto& v = frame(s).velocity;
+    return norm(Vec3{{v[0], v[1], v[2]}}) * disc_mass / (3 * s.time());
+  };
+  const Values tilted = {{"normal", {0, 0, 1}}, {"direction", {0.8, 0, tilt}}};
+  const Values across = {{"normal", {0, 1, 0}}, {"length", {0.3}}};
+  CHECK(area_of(3, "disc", with(tilted, {{"radius", {0.2}}, {"hole", {0.1}}})) ==
+        Approx(half_turn * 0.03 * tilt));
+  CHECK(area_of(3, "rectangle", with(tilted, {{"along", {1, 0, 0}}, {"length", {0.3}}, {"width", {0.2}}})) ==
+        Approx(0.06 * tilt));
+  CHECK(area_of(2, "rectangle", with(across, {{"direction", {0.8, tilt, 0}}})) == Approx(0.3 * tilt));
+  CHECK(area_of(3, "sphere", {{"radius", {0.2}}}) == Approx(half_turn * 0.04));
+  CHECK(area_of(2, "sphere", {{"radius", {0.2}}, {"direction", {1, 0, 0}}}) == Approx(0.4));
+  CHECK(area_of(3, "cylinder", {{"radius", {0.2}}, {"area", {0.7}}}) == Approx(0.7));
+}
+
 // ω = M/γ (1 − exp(−γ t/I)). Step error: (γ h/I)²/12 = 8e-8.
 TEST_CASE("a surface under a torque obeys I φ'' = M − γ φ'", "[surfaces]") {
   constexpr double inertia = 0.02, torque = 0.3, viscosity = 0.2, step = 1e-4;
@@ -199,6 +222,48 @@ TEST_CASE("between any two controls a surface goes on from where it is, and the 
       // Round-off of 400 terms of 9 J.
       CHECK(std::abs(s.energy().residual) < 9 * 400 * 2 * unit_round_off);
     }
+}
+
+TEST_CASE("a stage that changes the directions of a surface keeps the parts of its speeds along them",
+          "[surfaces]") {
+  Scene sc = far_body(1e-4);
+  const Values spun = with(plate, {{"force", {0, 4}}, {"torque", {0, 0.1}}, {"inertia", {0.02}}});
+  add_boundary(sc, "disc", spun);
+  Simulation s(sc);
+  run(s, 500);
+  const double speed = 4 / disc_mass * s.time(), spin = 0.1 / 0.02 * s.time();
+  CHECK(frame(s).velocity[2] == Approx(speed));
+  reconfigure(s, "disc", with(spun, {{"direction", {0, 3, 4}}, {"spin_axis", {0, 0.8, -0.6}}}));
+  CHECK(frame(s).velocity[1] == Approx(0.8 * speed * 0.6));
+  CHECK(frame(s).velocity[2] == Approx(0.8 * speed * 0.8));
+  CHECK(frame(s).spin[1] == Approx(-0.6 * spin * 0.8));
+  CHECK(frame(s).spin[2] == Approx(0.6 * spin * 0.6));
+  // The energy of the other parts is taken away as work: the balance stays closed.
+  run(s, 100);
+  CHECK(std::abs(s.energy().residual) < 600 * 2 * unit_round_off);
+}
+
+// A plate that swings about a point beside it: all of it moves on circles, which carry a bead in front of it along.
+TEST_CASE("an angle about a point beside a surface carries it along a circle", "[surfaces]") {
+  constexpr double arm = 0.3, rate = 3, angle = 0.4;
+  Scene sc = far_body(1e-4);
+  add_boundary(sc, "disc",
+               with(plate, {{"angle", {1, 0, angle, rate / 6.283185307179586, 0}},
+                            {"spin_axis", {0, 1, 0}},
+                            {"spin_point", {-arm, 0, 0}},
+                            {"velocity", {0, 0.2}},
+                            {"direction", {0.6, 0.8, 0}}}));
+  Simulation s(sc);
+  run(s, 3000);
+  const double turned = angle * std::sin(rate * s.time()), speed = angle * rate * std::cos(rate * s.time());
+  // Round-off of 3000 steps.
+  CHECK(frame(s).position[0] == Approx(arm * std::cos(turned) - arm + 0.12 * s.time()).margin(1e-12));
+  CHECK(frame(s).position[1] == Approx(0.16 * s.time()).margin(1e-12));
+  CHECK(frame(s).position[2] == Approx(-arm * std::sin(turned)).margin(1e-12));
+  CHECK(frame(s).orientation[2] == Approx(std::sin(turned / 2)).margin(1e-12));
+  CHECK(frame(s).spin[1] == Approx(speed).margin(1e-12));
+  CHECK(frame(s).velocity[0] == Approx(0.12 - arm * speed * std::sin(turned)).margin(1e-12));
+  CHECK(frame(s).velocity[2] == Approx(-arm * speed * std::cos(turned)).margin(1e-12));
 }
 
 TEST_CASE("surfaces that forces move go on from a state to the same bits", "[surfaces]") {

@@ -17,11 +17,15 @@ void LoadStudy::check_plan() const {
     throw Error(fmt::format(
         "{}: the last stage is followed, and has no duration; give it one, or cycles and a period",
         plan_.source.string()));
+  try {
+    response::check_laws(plan_.scene, response::LawsNeeded::all);
+  } catch (const Error& error) {
+    throw error.at(plan_.source.string());
+  }
 }
 
 void LoadStudy::check_last_stage() const {
   try {
-    response::check_laws(plan_.scene, response::LawsNeeded::all);
     if (const auto last = run::set_up_with_last_stage(plan_)) response::loads_of_walls(*last, last->time());
   } catch (const Error& error) {
     throw error.at(plan_.source.string());
