@@ -10,11 +10,13 @@ namespace scree {
 namespace {
 
 // Most spots in which a body may touch a surface before the next search. known: from an earlier call.
-std::size_t spots_near(const PlacedSurface& surface, const Sphere& body, double skin,
+std::size_t spots_near(const PlacedSurface& surface, const Sphere& body, double skin, double approached,
                        NearWalls::Clearance& known, std::vector<NearTriangle>& near) {
+  const bool jumps = surface.distance_jumps();
+  if (!jumps && known.distance - (approached - known.approached) >= skin) return 0;
   const Vec3 here = surface.in_frame(body.position);
-  if (!surface.distance_jumps() && known.distance - norm(here - known.centre) >= skin) return 0;
-  known.centre = here;
+  if (!jumps && known.distance - norm(here - known.centre) >= skin) return 0;
+  known.centre = here, known.approached = approached;
   if (!surface.mesh()) {
     known.distance = surface.nearest(body.position).distance - body.radius;
     return known.distance < skin;
@@ -31,7 +33,7 @@ std::size_t spots_near(const PlacedSurface& surface, const Sphere& body, double 
 
 // Walls near the bodies of a range, of each body in the order of their numbers.
 void add_near_walls(std::span<const Sphere> bodies, BodyRange range, const Boundaries& boundaries,
-                    const std::vector<PlacedSurface>& surfaces, int dimension, double skin,
+                    const std::vector<PlacedSurface>& surfaces, int dimension, double skin, double approached,
                     NearWalls::Clearance* known, std::vector<PlanePair>& pairs) {
   const std::vector<scree_plane>& planes = boundaries.planes();
   std::vector<NearTriangle> near;
@@ -46,7 +48,7 @@ void add_near_walls(std::span<const Sphere> bodies, BodyRange range, const Bound
     for (std::uint32_t s = 0; s < surfaces.size(); ++s) {
       if (boundaries.absent()[planes.size() + s]) continue;
       const std::size_t spots =
-          spots_near(surfaces[s], bodies[i], skin, known[i * surfaces.size() + s], near);
+          spots_near(surfaces[s], bodies[i], skin, approached, known[i * surfaces.size() + s], near);
       for (std::uint32_t spot = 0; spot < spots; ++spot)
         pairs.push_back({i, std::uint32_t(planes.size()) + s, spot});
     }
@@ -57,15 +59,21 @@ void add_near_walls(std::span<const Sphere> bodies, BodyRange range, const Bound
 
 std::vector<PlanePair> NearWalls::find(std::span<const Sphere> bodies,
                                        const std::vector<std::uint32_t>& tiles, const Boundaries& boundaries,
-                                       double skin, ThreadPool& threads) {
+                                       double skin, double approach, ThreadPool& threads) {
   const std::vector<PlacedSurface> surfaces = placed_surfaces(boundaries.surfaces(), boundaries.dimension());
+  if (std::isfinite(approach))
+    approached_ += approach;
+  else
+    forget();
   constexpr double unknown = -std::numeric_limits<double>::infinity();
   if (clearances_.size() != bodies.size() * surfaces.size())
-    clearances_.assign(bodies.size() * surfaces.size(), {{}, unknown});
+    clearances_.assign(bodies.size() * surfaces.size(), {{}, unknown, 0});
+  // Bodies that are folded into a period come to other places of surfaces.
+  const double approached = boundaries.domain().any_periodic() ? -unknown : approached_;
   std::vector<std::vector<PlanePair>> near(tiles.size());
   threads.each(tiles.size(), [&](std::size_t k, unsigned) {
     add_near_walls(bodies, BodyTiles(bodies.size())[tiles[k]], boundaries, surfaces, boundaries.dimension(),
-                   skin, clearances_.data(), near[k]);
+                   skin, approached, clearances_.data(), near[k]);
   });
   std::vector<PlanePair> all;
   for (const std::vector<PlanePair>& of_tile : near) all.insert(all.end(), of_tile.begin(), of_tile.end());

@@ -124,7 +124,6 @@ void NeighbourList::record_positions(Particles& p, const Domain& domain, ThreadP
 
 void NeighbourList::rebuild(Particles& particles, const Boundaries& boundaries, Contacts& contacts,
                             ThreadPool& threads) {
-  near_walls_.forget();
   search(std::numeric_limits<double>::infinity(), particles, boundaries, contacts, threads);
 }
 
@@ -139,8 +138,8 @@ void NeighbourList::search(double moved, Particles& particles, const Boundaries&
   const int dimension = particles.dimension();
   const std::vector<NeighbourPair>& found = find_pairs(moved, particles, boundaries.domain(), threads);
   const std::vector<NeighbourPair> some = without_fixed_pairs(found, particles);
-  const std::vector<PlanePair> near_walls =
-      near_walls_.find(bodies_at_search_, own_tiles(particles.size()), boundaries, skin_, threads);
+  const std::vector<PlanePair> near_walls = near_walls_.find(
+      bodies_at_search_, own_tiles(particles.size()), boundaries, skin_, moved + surface_travel_, threads);
   contacts.rebuild(particles.fixed.empty() ? found : some,  // no copy of what was found
                    near_walls, lookup, particles.order(), threads);
   planes_at_search_ = boundaries.planes();
