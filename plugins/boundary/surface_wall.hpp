@@ -30,7 +30,8 @@ struct SurfaceWall {
   void set(const scree::Surface& shape, const scree::Setup& setup) {
     surface = shape;
     motion.set_area(projected_area(setup.dimension()));
-    const std::string problem = motion.prepare({axis, setup.dimension(), reach(setup.dimension())});
+    const std::string problem =
+        motion.prepare({axis, setup.dimension(), reach(setup.dimension()), surface.shape != SCREE_MESH});
     if (!problem.empty()) setup.refuse(problem.c_str());
   }
 

@@ -18,9 +18,9 @@ struct WallSurfaces {
   std::vector<scree_frame> frames;
   std::vector<scree_frame_load> loads;
   std::vector<std::uint32_t> materials;
-  std::vector<std::string> names;  // "<boundary>.<surface>"
+  std::vector<std::string> names;    // "<boundary>.<surface>"
   std::vector<std::uint8_t> absent;  // exerts no forces
-  std::vector<double> masses;      // (kg) see scree_boundary_instance; 0: forces do not move it
+  std::vector<double> masses;        // (kg) see scree_boundary_instance; 0: forces do not move it
 
   std::size_t size() const { return shapes.size(); }
   bool any_mesh() const;

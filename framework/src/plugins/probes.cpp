@@ -57,8 +57,9 @@ Probe::Probe(const Parameters& parameters, int dimension, std::vector<std::uint8
       throw Error(fmt::format("plug-in {}: a column is named '{}', as one that every series has; rename it",
                               plugin, names_.back()));
     if (!taken.insert(names_.back()).second)
-      throw Error(fmt::format("plug-in {}: two columns are named '{}'; list every body, pair or wall once",
-                              plugin, names_.back()));
+      throw Error(
+          fmt::format("plug-in {}: two columns are named '{}'; list every body, pair, wall or surface once",
+                      plugin, names_.back()));
   }
 }
 

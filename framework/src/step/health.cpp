@@ -34,11 +34,10 @@ void report_not_a_number(const Simulation& s, const Body& body) {
                    s.step_length()));
 }
 
-void report_speed(const Simulation& s, std::int64_t id, double speed, double limit) {
+void report_speed(const Simulation& s, const std::string& what, double speed, double limit) {
   if (speed <= limit) return;
   const auto [shown, bound] = told_apart(speed, limit);
-  stop("",
-       fmt::format("particle {} moves at {} m/s {}, above the limit of {} m/s", id, shown, where(s), bound),
+  stop("", fmt::format("{} moves at {} m/s {}, above the limit of {} m/s", what, shown, where(s), bound),
        fmt::format("use a shorter time.step (now {:g} s), or raise limits.speed if this speed is intended",
                    s.step_length()));
 }
@@ -134,16 +133,19 @@ const Scene& checked(const Scene& scene) {
 
 void report_blow_up(const Simulation& s, double speed_limit) {
   const Particles& p = s.particles();
+  const auto name = [&](std::size_t i) { return fmt::format("particle {}", p.id[i]); };
   for (std::size_t i = 0; i < p.size(); ++i) {
     report_not_a_number(s, p.body(i));
-    report_speed(s, p.id[i], norm(p.body(i).velocity), speed_limit);
+    report_speed(s, name(i), norm(p.body(i).velocity), speed_limit);
   }
   report_overlap(s);
   for (std::size_t i = 0; i < p.size(); ++i) {
     Vec3 mid_velocity = {};
     for (int k = 0; k < p.dimension(); ++k) mid_velocity[k] = p.mid_velocity()[k][i];
-    report_speed(s, p.id[i], norm(mid_velocity), speed_limit);
+    report_speed(s, name(i), norm(mid_velocity), speed_limit);
   }
+  for (std::size_t k = 0; k < s.surfaces().size(); ++k)
+    report_speed(s, "surface " + s.surfaces().names[k], s.boundaries().surface_speed(k, {}), speed_limit);
   stop("", fmt::format("the motion is no longer finite {}", where(s)),
        fmt::format("use a shorter time.step (now {:g} s)", s.step_length()));
 }

@@ -85,9 +85,10 @@ std::optional<double> Stepper::substep(double step, std::optional<double> next) 
   laps.lap(Profile::neighbours);
   begin_walls(elapsed, step);
   const double plane_speed = p.boundaries.largest_speed();
-  const double wall_speed =
-      std::max(plane_speed, p.boundaries.largest_surface_speed(p.neighbours.surface_reach()));
-  if (!std::isfinite(wall_speed)) return std::nullopt;
+  const double surface_speed = p.boundaries.largest_surface_speed(p.neighbours.surface_reach()),
+               wall_speed = std::max(plane_speed, surface_speed);
+  // A surface, which has bodies on both sides, may go through one that it passes within a step.
+  if (!std::isfinite(wall_speed) || too_fast(surface_speed * surface_speed)) return std::nullopt;
   laps.lap(Profile::boundaries);
 
   p.neighbours.update(speed, plane_speed, std::abs(step), p.particles, p.boundaries, p.contacts, *p.threads);

@@ -73,6 +73,7 @@ class Boundaries {
   double largest_speed() const;
   // reach: of each surface, how far from the origin of its frame bodies may meet it (m); empty: anywhere.
   double largest_surface_speed(std::span<const double> reach) const;
+  double surface_speed(std::size_t surface, std::span<const double> reach) const;
   // How forces move planes at a time (s), with the planes where they are given. Throws Error as
   // Simulation::linear_walls does.
   WallEquations linear_walls(double time, const std::vector<scree_plane>& planes) const;

@@ -112,17 +112,19 @@ void Boundaries::check_frames(const Member& member, const std::string& when, Exi
                   status);
 }
 
+double Boundaries::surface_speed(std::size_t surface, std::span<const double> reach) const {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const double speed =
+      speed_of(surfaces_, surface, dimension_, surface < reach.size() ? reach[surface] : infinite);
+  return std::isfinite(speed) ? speed : infinite;
+}
+
 double Boundaries::largest_surface_speed(std::span<const double> reach) const {
   double largest = 0;
   for (const Member& member : members_) {
     if (member.still()) continue;
-    for (std::uint32_t k = 0; k < member.plugin.instance().surface_count; ++k) {
-      const std::size_t s = member.first_surface + k;
-      const double speed = speed_of(surfaces_, s, dimension_,
-                                    s < reach.size() ? reach[s] : std::numeric_limits<double>::infinity());
-      if (!std::isfinite(speed)) return std::numeric_limits<double>::infinity();
-      largest = std::max(largest, speed);
-    }
+    for (std::uint32_t k = 0; k < member.plugin.instance().surface_count; ++k)
+      largest = std::max(largest, surface_speed(member.first_surface + k, reach));
   }
   return largest;
 }

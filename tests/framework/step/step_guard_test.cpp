@@ -179,6 +179,10 @@ TEST_CASE("surfaces that forces and torques move limit the step like walls of th
   // Heavy ones and prescribed ones do not; fast ones do.
   CHECK(limit("disc", {{"normal", {0, 0, 1}}, {"velocity", {0, 1e5}}}).longest_step ==
         Approx(0.1 * grain_radius / 1e5));
+  // The rim of a disc that tumbles; a spin about its own axis leaves it where it is.
+  CHECK(limit("disc", {{"normal", {0, 0, 1}}, {"spin", {0, 1e6}}, {"spin_axis", {1, 0, 0}}}).longest_step ==
+        Approx(0.1 * grain_radius / (1e6 * radius)));
+  CHECK(limit("disc", {{"normal", {0, 0, 1}}, {"spin", {0, 1e6}}}).longest_step > 1e-6);
 }
 
 TEST_CASE("the limit of a cloud does not depend on its mean velocity, unless there are walls") {

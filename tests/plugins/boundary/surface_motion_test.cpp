@@ -8,6 +8,7 @@
 
 #include <scree/energy.hpp>
 #include <scree/error.hpp>
+#include <scree/plugin/rotation.hpp>
 #include <scree/state.hpp>
 #include <scree/wall_surfaces.hpp>
 
@@ -248,11 +249,12 @@ TEST_CASE("an angle about a point beside a surface carries it along a circle", "
   constexpr double arm = 0.3, rate = 3, angle = 0.4;
   Scene sc = far_body(1e-4);
   add_boundary(sc, "disc",
-               with(plate, {{"angle", {1, 0, angle, rate / 6.283185307179586, 0}},
-                            {"spin_axis", {0, 1, 0}},
-                            {"spin_point", {-arm, 0, 0}},
-                            {"velocity", {0, 0.2}},
-                            {"direction", {0.6, 0.8, 0}}}));
+               with({{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}, {"radius", {0.2}}},
+                    {{"angle", {1, 0, angle, rate / 6.283185307179586, 0}},
+                     {"spin_axis", {0, 1, 0}},
+                     {"spin_point", {-arm, 0, 0}},
+                     {"velocity", {0, 0.2}},
+                     {"direction", {0.6, 0.8, 0}}}));
   Simulation s(sc);
   run(s, 3000);
   const double turned = angle * std::sin(rate * s.time()), speed = angle * rate * std::cos(rate * s.time());
@@ -315,6 +317,10 @@ TEST_CASE("a surface that is absent bears nothing, and comes back before bodies 
   run(s, 3000);
   REQUIRE(position(s, 0)[2] < 0);
   CHECK_THROWS_WITH(reconfigure(s, "disc", lid), Catch::Contains("with the centre of 1 body behind it"));
+  // Nothing moves it.
+  reconfigure(s, "disc", with(absent_lid, {{"spin", {0, 5}}, {"spin_axis", {1, 0, 0}}}));
+  run(s, 10);
+  CHECK(frame(s).orientation[0] == 1);
   // From the start, with bodies behind.
   Scene below = sc;
   below.boundaries.clear();
@@ -343,4 +349,38 @@ TEST_CASE("motions of surfaces that cannot be are refused by name", "[surfaces]"
       problem("cylinder", with(endless, {{"torque", {0, 1}}, {"inertia", {1}}, {"spin_axis", {1, 0, 0}}})),
       Catch::Contains("a surface without end"));
   CHECK(problem("cylinder", with(endless, {{"torque", {0, 1}}, {"inertia", {1}}})) == "nothing");
+  CHECK_THAT(problem("disc", with(disc, {{"inertia", {1}}})),
+             Catch::Contains("inertia is given without torque; give torque = 0"));
+  CHECK_THAT(problem("disc", with(plate, {})), Catch::Contains("give force = 0"));
+  CHECK_THAT(problem("disc", with(disc, {{"torque", {0, 1}}, {"inertia", {1e-320}}})),
+             Catch::Contains("too small"));
+  // What another stage uses may be there.
+  CHECK(problem("disc", with(plate, {{"control", {at_rest}}, {"superposed", {0, 1}}})) == "nothing");
+  CHECK(problem("disc", with(disc, {{"spin_control", {spin_at_rest}}, {"spin_point", {1, 0, 0}}})) ==
+        "nothing");
+}
+
+TEST_CASE("a surface that passes bodies within a step ends the run", "[surfaces]") {
+  Scene sc = scene(3, 1e-4, {body(1, 0.05, 1, {{1, 0, 1}})}, elastic);
+  add_boundary(
+      sc, "disc",
+      {{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}, {"radius", {0.2}}, {"velocity", {3, 0, 1e4, 0.1}}});
+  Simulation s(sc);
+  // Half of the body in a step are 500 m/s, after 5 ms.
+  CHECK_THROWS_WITH(run(s, 1000), Catch::Contains("surface disc moves at 5") &&
+                                      Catch::Contains("above the limit of 500 m/s"));
+}
+
+TEST_CASE("axes near to -z are as good as others", "[surfaces]") {
+  for (int k = 0; k <= 17; ++k)
+    for (const double turn : {0.0, 0.7, 2.0}) {
+      const double tilt = std::pow(10.0, -k);
+      const Vec3 given = {{tilt * std::cos(turn), tilt * std::sin(turn), -1}}, axis = 1 / norm(given) * given;
+      // Round-off of some operations.
+      CHECK(norm(Rotation::from_z_to(axis)(Vec3{{0, 0, 1}}) - axis) < 10 * unit_round_off);
+      const Vec3 x = {{-std::cos(tilt), -std::sin(tilt), 0}};
+      const Rotation both = Rotation::to_axes(x, {{0, 0, 1}});
+      CHECK(norm(both(Vec3{{1, 0, 0}}) - x) < 10 * unit_round_off);
+      CHECK(norm(both(Vec3{{0, 0, 1}}) - Vec3{{0, 0, 1}}) < 10 * unit_round_off);
+    }
 }

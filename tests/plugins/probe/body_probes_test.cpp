@@ -187,8 +187,9 @@ TEST_CASE("body probes: an id above 1e15 is refused, because doubles tell larger
 TEST_CASE("body probes: a body listed twice is refused, because its columns would have the same names",
           "[probe]") {
   const Simulation s(corner());
-  CHECK_THROWS_WITH(sample(s, "particles", {{"ids", {3, 7, 3}}}),
-                    "plug-in particles: two columns are named 'x_3'; list every body, pair or wall once");
+  CHECK_THROWS_WITH(
+      sample(s, "particles", {{"ids", {3, 7, 3}}}),
+      "plug-in particles: two columns are named 'x_3'; list every body, pair, wall or surface once");
 }
 
 TEST_CASE("body probes: missing bodies and walls are refused", "[probe]") {

@@ -31,19 +31,23 @@ struct GuidedMotion {
 
   // Decides what moves it. Returns the problem and a remedy, or "".
   std::string prepare(const Names& names) {
+    const bool chosen = control >= 0;
     const bool given[] = {false, motion.displacement.given(), motion.velocity.given(), press.given(),
                           stress.given()};
     int present = 0;
     for (int k = displaced; k <= under_stress; ++k) present += given[k];
-    if (control < 0 && present > 1)
+    if (!chosen && present > 1)
       return std::string("more than one motion is given without ") + names.control + "; say which, such as " +
              names.control + " = \"" + names.choices[at_velocity] + '"';
+    if (!chosen && inertia > 0 && !given[pressed] && !given[under_stress])
+      return std::string(names.inertia) + " is given without " + names.choices[pressed] + "; give " +
+             names.choices[pressed] + " = 0 if bodies alone move the surface, or leave it out";
     for (int k = fixed; k <= under_stress && control < 0; ++k)
       if (given[k] || present == 0) control = k;
     if (control != fixed && control != absent && !given[control])
       return std::string(names.control) + " says what is not given; give " +
              (control == under_stress ? "stress" : names.choices[control]);
-    if (motion.superposed.given() && control < pressed)
+    if (!chosen && motion.superposed.given() && control < pressed)
       return "a motion is superposed on none by forces; leave it out, or give force, stress or torque";
     if ((control == pressed || control == under_stress) && !(inertia > 0))
       return std::string(names.inertia) + " is missing; give it above 0, since forces move the surface";

@@ -19,11 +19,13 @@ namespace scree {
 //   m s" = F·e + P(t) − γ s'      I φ" = T·a + M(t) − γ' φ'
 //
 // F, T: force and torque of the contacts, about the point; the centre of mass lies on the axis. Prescribed
-// increments are exact for the mean of the functions by Simpson's rule. Keys of a boundary:
+// increments are exact for the mean of the functions by Simpson's rule. All surfaces of a boundary move as one
+// body. Keys of a boundary:
 //
 //   scree::RigidMotion motion;
 //   in declare      motion.declare(d);
-//   in prepare      if (const std::string p = motion.prepare({axis, dimension, point, area, reach}); !p.empty())
+//   in prepare      motion.set_area(area);   of a stress, if it is known
+//                   if (const std::string p = motion.prepare({axis, dimension, reach}); !p.empty())
 //                     return setup.refuse(p.c_str());
 //   in describe     motion.describe(layout);
 //   in start        motion.start(s, point);   once frames have their places
@@ -41,7 +43,8 @@ class RigidMotion {
   struct Shape {
     std::array<double, 3> axis;  // unit; of motions without a direction
     int dimension;
-    double reach = 0;  // (m) largest distance from the axis of the spin in which it is touched
+    double reach = 0;      // (m) largest distance from the axis of the spin in which it is touched
+    bool has_axis = true;  // false: motions need their own direction and axis
   };
   // Unit vector of the translation if the shape has this axis; the axis if its direction is not given.
   std::array<double, 3> direction_with(const std::array<double, 3>& axis) const {
@@ -59,22 +62,33 @@ class RigidMotion {
   std::string prepare(const Shape& shape) {
     constexpr GuidedMotion::Names along = {"control", {"fixed", "displacement", "velocity", "force"}, "mass"};
     constexpr GuidedMotion::Names turn = {"spin_control", {"fixed", "angle", "spin", "torque"}, "inertia"};
+    const bool turn_chosen = turn_.control >= 0;
     if (shape.dimension == 2 && !std::isnan(direction_[0])) direction_[2] = 0;
     std::string problem = along_.prepare(along);
     if (problem.empty()) problem = turn_.prepare(turn);
     if (!problem.empty()) return problem;
     if (shape.dimension == 2 && along_.moves() && std::isnan(direction_[0]) && shape.axis[2] != 0)
       return "a motion without direction in a 2D scene; give a direction such as [1, 0, 0]";
+    if (!shape.has_axis && along_.moves() && std::isnan(direction_[0]))
+      return "a motion without direction; give a vector such as [0, 0, 1]";
+    if (!shape.has_axis && turn_.moves() && !spin_axis_ && shape.dimension == 3)
+      return "a turn without spin_axis; give a vector such as [0, 0, 1]";
     if (std::isnan(direction_[0])) direction_ = shape.axis;
-    if (!make_unit(direction_)) return "direction has length 0; give a vector such as [0, 0, 1]";
+    if (!make_unit(direction_))
+      return std::string("direction has length 0; give a vector such as ") +
+             (shape.dimension == 2 ? "[0, 1]" : "[0, 0, 1]");
     about_ = spin_axis_.value_or(shape.axis);
     if (shape.dimension == 2) about_ = {0, 0, 1};
     if (!make_unit(about_)) return "spin_axis has length 0; give a vector such as [0, 0, 1]";
-    if (spin_point_ && !turn_.moves()) return "spin_point without spin; give spin = <rad/s>, or leave it out";
+    if (spin_point_ && !turn_.moves() && !turn_chosen)
+      return "spin_point without spin; give spin = <rad/s>, or leave it out";
     if (turn_.is_pressed() && !std::isfinite(shape.reach))
       return "a torque on a surface without end, which its spin moves; give it a length, or prescribe the spin";
     left_out_ = along_.control == GuidedMotion::absent;
+    if (left_out_) turn_.motion.control = WallMotion::fixed;
     light_mass_ = light_mass(shape.reach);
+    if ((along_.is_pressed() || turn_.is_pressed()) && !std::isnormal(light_mass_))
+      return "its mass or inertia is too small for a contact to move it by a number; give a larger one";
     return "";
   }
 
@@ -144,17 +158,20 @@ class RigidMotion {
     d.program("velocity", along_.motion.velocity, "m/s", any_number, "along the direction").optional();
     d.program("displacement", along_.motion.displacement, "m", any_number, "d(t), of which increments count")
         .optional();
-    d.program("force", along_.press, "N", any_number, "P along the direction; gravity does not act on it")
+    d.program("force", along_.press, "N", any_number, "P along the direction; 0: bodies alone move it")
         .optional();
     d.program("stress", along_.stress, "Pa", any_number, "P is the stress on the area").optional();
     d.number("area", along_.area, "m^2", positive,
              "of the stress; without it the projected area of a disc, rectangle or sphere")
         .optional();
-    d.number("mass", along_.inertia, "kg", positive, "m under force or stress").optional();
+    d.number("mass", along_.inertia, "kg", positive, "m under force or stress; gravity does not act on it")
+        .optional();
     d.number("viscosity", along_.motion.viscosity, "kg/s", non_negative, "γ under force or stress");
     d.program("superposed", along_.motion.superposed, "m", any_number, "added to the motion by forces")
         .optional();
-    d.vector("direction", direction_, "", "of the motion; without it the axis, or the normal").optional();
+    d.vector("direction", direction_, "",
+             "of the motion; without it the axis, or the normal; required for a mesh")
+        .optional();
   }
   void declare_rotation(Declaration& d) {
     d.choice("spin_control", turn_.control, "fixed|angle|spin|torque",
@@ -165,13 +182,18 @@ class RigidMotion {
         .optional();
     d.program("angle", turn_.motion.displacement, "rad", any_number, "φ(t), of which increments count")
         .optional();
-    d.program("torque", turn_.press, "N m", any_number, "M about spin_axis").optional();
+    d.program("torque", turn_.press, "N m", any_number, "M about spin_axis; 0: bodies alone turn it")
+        .optional();
     d.number("inertia", turn_.inertia, "kg m^2", positive, "I about spin_axis, under torque").optional();
     d.number("spin_viscosity", turn_.motion.viscosity, "N m s", non_negative, "γ' under torque");
     d.program("superposed_angle", turn_.motion.superposed, "rad", any_number, "added to the turn by torques")
         .optional();
-    d.vector("spin_axis", spin_axis_, "", "without it the axis, or the normal; in 2D z").optional();
-    d.vector("spin_point", spin_point_, "m", "through which spin_axis goes; without it `point`").optional();
+    d.vector("spin_axis", spin_axis_, "", "without it the axis, or the normal; in 2D z; required for a mesh")
+        .optional();
+    d.vector("spin_point", spin_point_, "m",
+             "through which spin_axis goes; without it `point`, or `translation` of a mesh")
+        .optional()
+        .at_start_only();
   }
 
   // (kg) that the lightest contact feels: 1/m + reach²/I is how easily a force in it moves the surface.

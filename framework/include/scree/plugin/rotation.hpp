@@ -55,9 +55,15 @@ struct Rotation {
   }
   // The shortest one that turns z into a unit vector; by π about x for −z.
   static Rotation from_z_to(const Vec3& direction) {
-    const double half = std::sqrt(0.5 * (1 + direction[2]));
-    if (!(half > 1e-8)) return {0, {{1, 0, 0}}};
-    return {half, 0.5 / half * Vec3{{-direction[1], direction[0], 0}}};
+    const Vec3 across = {{-direction[1], direction[0], 0}};
+    if (direction[2] >= 0) {
+      const double half = std::sqrt(0.5 * (1 + direction[2]));
+      return {half, 0.5 / half * across};
+    }
+    // 1 + z would be round-off near −z.
+    const double sine = std::sqrt(0.5 * (1 - direction[2])), length = norm(across);
+    if (!(length > 0)) return {0, {{1, 0, 0}}};
+    return {0.5 * length / sine, sine / length * across};
   }
 
   // Turns x and z into two unit vectors that are perpendicular to each other.
@@ -65,8 +71,8 @@ struct Rotation {
     const Rotation upright = from_z_to(z);
     const Vec3 before = upright(Vec3{{1, 0, 0}});
     const double cosine = dot(before, x), sine = dot(cross(before, x), z);
-    const double half = std::sqrt(std::fmax(0.0, 0.5 * (1 + cosine)));
-    const Rotation about_z = half > 1e-8 ? Rotation{half, 0.5 * sine / half * z} : Rotation{0, z};
+    const double larger = std::sqrt(0.5 * (1 + std::fabs(cosine))), smaller = 0.5 * sine / larger;
+    const Rotation about_z = cosine >= 0 ? Rotation{larger, smaller * z} : Rotation{smaller, larger * z};
     return about_z * upright;
   }
 

@@ -94,6 +94,7 @@ void add_periodic_warnings(const Simulation& s, std::vector<std::string>& warnin
   if (!domain.any_periodic()) return;
   const Vec3 length = domain.upper - domain.lower;
   for (std::size_t k = 0; k < s.surfaces().size(); ++k) {
+    if (s.surfaces().absent[k]) continue;
     const SurfaceOutline shape =
         outline_of(s.surfaces(), k, s.dimension(), domain.lower - length, domain.upper + length);
     for (int axis = 0; axis < s.dimension(); ++axis) {
