@@ -18,7 +18,7 @@ ranks_of() {
 }
 # Waits until a run has so many lines of energy.
 wait_for_lines() {
-  for ((k = 0; k < 600; ++k)); do
+  for ((k = 0; k < 2400; ++k)); do
     [[ -e $folder/$1/series/energy.csv ]] && (($(wc -l < "$folder/$1/series/energy.csv") >= $2)) && break
     sleep 0.1
   done

@@ -11,8 +11,8 @@
 #endif
 
 // Compiles a function for every instruction level; the loader selects the best one. For loops whose results
-// do not depend on the vector width. Only for functions that no other file calls: clang gives the clones a name
-// that callers know from the definition alone.
+// do not depend on the vector width. Only for functions that no other file calls: clang gives the clones a
+// name that callers know from the definition alone.
 #if SCREE_SEVERAL_LEVELS
 #define SCREE_EVERY_LEVEL [[gnu::target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4")]]
 #else

@@ -21,8 +21,9 @@ class PlacedSurface;
 // again before they have moved as far in its frame.
 class NearWalls {
  public:
-  // Walls nearer than the skin (m) to the bodies of some tiles, sorted by bodies, walls and spots. approach: (m)
-  // by which any body and any surface may have come nearer since the last call; infinite: not known.
+  // Walls nearer than the skin (m) to the bodies of some tiles, sorted by bodies, walls and spots.
+  // approach: (m) by which any body and any surface may have come nearer since the last call; infinite: not
+  // known.
   std::vector<PlanePair> find(std::span<const Sphere> bodies, const std::vector<std::uint32_t>& tiles,
                               const Boundaries& boundaries, double skin, double approach,
                               ThreadPool& threads);

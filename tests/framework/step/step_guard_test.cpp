@@ -145,8 +145,8 @@ TEST_CASE("drag, fast bodies, light and viscous walls limit the step and are nam
   CHECK_THAT(box(1, 1e7).cause, Catch::Contains("viscosity"));
 }
 
-// A contact at the distance r from the axis of a spin feels the mass I/r² beside m: 1/m + r²/I is how easily it
-// moves the surface.
+// A contact at the distance r from the axis of a spin feels the mass I/r² beside m: 1/m + r²/I is how
+// easily it moves the surface.
 TEST_CASE("surfaces that forces and torques move limit the step like walls of the mass that contacts feel") {
   const double light = 1e-6, inertia = 1e-8, radius = 0.2, off = 0.3;
   const auto limit = [&](const std::string& plugin, scree::test::Values values) {

@@ -163,7 +163,8 @@ TEST_CASE("a bead gives momentum to a surface that is free, and spin to one on a
 }
 
 TEST_CASE("a wheel that bodies drive takes up the work that they do", "[surfaces]") {
-  // A sphere slides on a turning disc until both turn alike: friction μ m g at the radius r spins up the disc.
+  // A sphere slides on a turning disc until both turn alike: friction μ m g at the radius r spins up the
+  // disc.
   constexpr double step = 1e-5, inertia = 0.05, radius = 0.15, friction = 0.3, weight = 0.1 * 9.81;
   Scene sc = scene(3, step, {body(1, 0.02, 0.1, {{radius, 0, 0.02 - weight / stiffness}}, {{0, 1, 0}})},
                    {{"normal_stiffness", {stiffness}},
@@ -181,7 +182,7 @@ TEST_CASE("a wheel that bodies drive takes up the work that they do", "[surfaces
   run(s, 200);
   const double before = frame(s).spin[2], at = s.time();
   run(s, 1000);
-  // Sliding along y at x = r; in 0.01 s the sphere goes 1 cm, the direction and the arm change by (0.01/0.15)²/2.
+  // Sliding along y at x = r; in 0.01 s the sphere goes 1 cm: direction and arm change by (0.01/0.15)²/2.
   CHECK((frame(s).spin[2] - before) / (s.time() - at) ==
         Approx(friction * weight * radius / inertia).epsilon(3e-3));
   CHECK(std::abs(s.energy_residual()) < 1e-6);
@@ -244,7 +245,7 @@ TEST_CASE("a stage that changes the directions of a surface keeps the parts of i
   CHECK(std::abs(s.energy().residual) < 600 * 2 * unit_round_off);
 }
 
-// A plate that swings about a point beside it: all of it moves on circles, which carry a bead in front of it along.
+// A plate that swings about a point beside it moves on a circle about a point that moves along.
 TEST_CASE("an angle about a point beside a surface carries it along a circle", "[surfaces]") {
   constexpr double arm = 0.3, rate = 3, angle = 0.4;
   Scene sc = far_body(1e-4);

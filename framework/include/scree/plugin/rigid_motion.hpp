@@ -19,8 +19,8 @@ namespace scree {
 //   m s" = F·e + P(t) − γ s'      I φ" = T·a + M(t) − γ' φ'
 //
 // F, T: force and torque of the contacts, about the point; the centre of mass lies on the axis. Prescribed
-// increments are exact for the mean of the functions by Simpson's rule. All surfaces of a boundary move as one
-// body. Keys of a boundary:
+// increments are exact for the mean of the functions by Simpson's rule. All surfaces of a boundary move as
+// one body. Keys of a boundary:
 //
 //   scree::RigidMotion motion;
 //   in declare      motion.declare(d);

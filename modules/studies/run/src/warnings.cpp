@@ -88,7 +88,8 @@ void add_cut_warning(const scenario::SnapshotPlan& snapshot, const Simulation& s
       p.size()));
 }
 
-// A surface has no periodic images: where it ends beyond a periodic face, bodies that re-enter do not meet it.
+// A surface has no periodic images: where it ends beyond a periodic face, bodies that re-enter do not meet
+// it.
 void add_periodic_warnings(const Simulation& s, std::vector<std::string>& warnings) {
   const Domain& domain = s.domain();
   if (!domain.any_periodic()) return;
