@@ -1,4 +1,4 @@
-#include "wall_support.hpp"
+#include "surface_support.hpp"
 
 #include <cmath>
 #include <string>
@@ -9,8 +9,6 @@
 #include <scree/energy.hpp>
 #include <scree/error.hpp>
 #include <scree/plugin/rotation.hpp>
-#include <scree/state.hpp>
-#include <scree/wall_surfaces.hpp>
 
 // Surfaces that forces and torques move, against closed forms and planes.
 
@@ -18,25 +16,6 @@ using namespace scree;
 using namespace scree::test;
 
 namespace {
-
-// Choices of `control` and `spin_control`.
-enum { at_rest, by_displacement, by_velocity, by_force, by_stress, left_out };
-enum { spin_at_rest, by_angle, by_spin, by_torque };
-
-constexpr double disc_mass = 2, stiffness = 1e4;
-const Values plate = {{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}, {"radius", {0.2}}, {"mass", {disc_mass}}};
-
-Values with(const Values& some, const Values& added) {
-  Values all = some;
-  all.insert(all.end(), added.begin(), added.end());
-  return all;
-}
-void reconfigure(Simulation& s, const std::string& plugin, const Values& values) {
-  s.reconfigure_boundary(plugin, parameters(plugin, SCREE_BOUNDARY, values));
-  s.apply_reconfiguration();
-}
-Scene far_body(double step) { return scene(3, step, {body(1, 0.01, 0.01, {{0, 0, 9}})}, elastic); }
-const scree_frame& frame(const Simulation& s) { return s.surfaces().frames[0]; }
 
 // The problem when a scene with this boundary starts.
 std::string problem(const std::string& plugin, const Values& values) {
@@ -65,9 +44,9 @@ TEST_CASE("a disc under a force or a stress moves as a plane does", "[surfaces]"
        {Integration::velocity_verlet, Integration::position_verlet, Integration::fourth_order}) {
     Scene one = scene(3, 1e-4, {body(1, 0.05, 0.5, {{0, 0, 0.05}}, {{0, 0, -0.5}})}, elastic), other = one;
     one.integration = other.integration = integration;
-    add_boundary(one, "disc", with(plate, of_disc));
+    add_boundary(one, "disc", together(plate, of_disc));
     add_boundary(other, "plane",
-                 with({{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}, {"mass", {disc_mass}}}, of_plane));
+                 together({{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}, {"mass", {disc_mass}}}, of_plane));
     Simulation disc(one), plane(other);
     run(disc, 2000);
     run(plane, 2000);
@@ -85,7 +64,8 @@ TEST_CASE("a stress acts on the area that is seen along the motion", "[surfaces]
                    tilt = 0.6;  // cosine of the angle between normal and direction
   const auto area_of = [](int dimension, const std::string& plugin, const Values& shape) {
     Scene sc = scene(dimension, 1e-4, {body(1, 0.01, 0.01, {{0, 9, 0}}, {}, {}, dimension)}, elastic);
-    add_boundary(sc, plugin, with(shape, {{"point", {0, 0, 0}}, {"stress", {0, 3}}, {"mass", {disc_mass}}}));
+    add_boundary(sc, plugin,
+                 together(shape, {{"point", {0, 0, 0}}, {"stress", {0, 3}}, {"mass", {disc_mass}}}));
     Simulation s(sc);
     run(s, 100);
     const auto& v = frame(s).velocity;
@@ -93,11 +73,12 @@ TEST_CASE("a stress acts on the area that is seen along the motion", "[surfaces]
   };
   const Values tilted = {{"normal", {0, 0, 1}}, {"direction", {0.8, 0, tilt}}};
   const Values across = {{"normal", {0, 1, 0}}, {"length", {0.3}}};
-  CHECK(area_of(3, "disc", with(tilted, {{"radius", {0.2}}, {"hole", {0.1}}})) ==
+  CHECK(area_of(3, "disc", together(tilted, {{"radius", {0.2}}, {"hole", {0.1}}})) ==
         Approx(half_turn * 0.03 * tilt));
-  CHECK(area_of(3, "rectangle", with(tilted, {{"along", {1, 0, 0}}, {"length", {0.3}}, {"width", {0.2}}})) ==
+  CHECK(area_of(3, "rectangle",
+                together(tilted, {{"along", {1, 0, 0}}, {"length", {0.3}}, {"width", {0.2}}})) ==
         Approx(0.06 * tilt));
-  CHECK(area_of(2, "rectangle", with(across, {{"direction", {0.8, tilt, 0}}})) == Approx(0.3 * tilt));
+  CHECK(area_of(2, "rectangle", together(across, {{"direction", {0.8, tilt, 0}}})) == Approx(0.3 * tilt));
   CHECK(area_of(3, "sphere", {{"radius", {0.2}}}) == Approx(half_turn * 0.04));
   CHECK(area_of(2, "sphere", {{"radius", {0.2}}, {"direction", {1, 0, 0}}}) == Approx(0.4));
   CHECK(area_of(3, "cylinder", {{"radius", {0.2}}, {"area", {0.7}}}) == Approx(0.7));
@@ -145,7 +126,7 @@ TEST_CASE("a bead gives momentum to a surface that is free, and spin to one on a
                     {"spin_axis", {0, 1, 0}},
                     {"spin_point", {-arm, 0, 0}}});
     else
-      add_boundary(sc, "disc", with(plate, {{"force", {0, 0}}}));
+      add_boundary(sc, "disc", together(plate, {{"force", {0, 0}}}));
     Simulation s(sc);
     run(s, 4000);
     REQUIRE(position(s, 0)[2] > 0.05);
@@ -188,74 +169,17 @@ TEST_CASE("a wheel that bodies drive takes up the work that they do", "[surfaces
   CHECK(std::abs(s.energy_residual()) < 1e-6);
 }
 
-TEST_CASE("between any two controls a surface goes on from where it is, and the balance stays closed",
-          "[surfaces]") {
-  struct Control {
-    Values along, turn;
-    double speed, spin;  // at once; NaN: as before
-  };
-  const double same = std::nan("");
-  const Control controls[] = {{{{"control", {at_rest}}}, {{"spin_control", {spin_at_rest}}}, 0, 0},
-                              {{{"control", {by_displacement}}, {"displacement", {3, 0.5, 0.7, 0.1}}},
-                               {{"spin_control", {by_angle}}, {"angle", {3, 0, 0.3, 0.1}}},
-                               2,
-                               3},
-                              {{{"control", {by_velocity}}, {"velocity", {0, -3}}},
-                               {{"spin_control", {by_spin}}, {"spin", {0, 5}}},
-                               -3,
-                               5},
-                              {{{"control", {by_force}}, {"force", {0, -30}}},
-                               {{"spin_control", {by_torque}}, {"torque", {0, 0.1}}, {"inertia", {0.02}}},
-                               same,
-                               same}};
-  for (const Control& before : controls)
-    for (const Control& after : controls) {
-      Scene sc = far_body(1e-4);
-      add_boundary(sc, "disc", with(plate, with(before.along, before.turn)));
-      Simulation s(sc);
-      run(s, 200);
-      const scree_frame old = frame(s);
-      reconfigure(s, "disc", with(plate, with(after.along, after.turn)));
-      CHECK(frame(s).position[2] == old.position[2]);
-      CHECK(frame(s).orientation[3] == old.orientation[3]);
-      CHECK(frame(s).velocity[2] == Approx(std::isnan(after.speed) ? old.velocity[2] : after.speed));
-      CHECK(frame(s).spin[2] == Approx(std::isnan(after.spin) ? old.spin[2] : after.spin));
-      run(s, 200);
-      // Round-off of 400 terms of 9 J.
-      CHECK(std::abs(s.energy().residual) < 9 * 400 * 2 * unit_round_off);
-    }
-}
-
-TEST_CASE("a stage that changes the directions of a surface keeps the parts of its speeds along them",
-          "[surfaces]") {
-  Scene sc = far_body(1e-4);
-  const Values spun = with(plate, {{"force", {0, 4}}, {"torque", {0, 0.1}}, {"inertia", {0.02}}});
-  add_boundary(sc, "disc", spun);
-  Simulation s(sc);
-  run(s, 500);
-  const double speed = 4 / disc_mass * s.time(), spin = 0.1 / 0.02 * s.time();
-  CHECK(frame(s).velocity[2] == Approx(speed));
-  reconfigure(s, "disc", with(spun, {{"direction", {0, 3, 4}}, {"spin_axis", {0, 0.8, -0.6}}}));
-  CHECK(frame(s).velocity[1] == Approx(0.8 * speed * 0.6));
-  CHECK(frame(s).velocity[2] == Approx(0.8 * speed * 0.8));
-  CHECK(frame(s).spin[1] == Approx(-0.6 * spin * 0.8));
-  CHECK(frame(s).spin[2] == Approx(0.6 * spin * 0.6));
-  // The energy of the other parts is taken away as work: the balance stays closed.
-  run(s, 100);
-  CHECK(std::abs(s.energy().residual) < 600 * 2 * unit_round_off);
-}
-
 // A plate that swings about a point beside it moves on a circle about a point that moves along.
 TEST_CASE("an angle about a point beside a surface carries it along a circle", "[surfaces]") {
   constexpr double arm = 0.3, rate = 3, angle = 0.4;
   Scene sc = far_body(1e-4);
   add_boundary(sc, "disc",
-               with({{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}, {"radius", {0.2}}},
-                    {{"angle", {1, 0, angle, rate / 6.283185307179586, 0}},
-                     {"spin_axis", {0, 1, 0}},
-                     {"spin_point", {-arm, 0, 0}},
-                     {"velocity", {0, 0.2}},
-                     {"direction", {0.6, 0.8, 0}}}));
+               together({{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}, {"radius", {0.2}}},
+                        {{"angle", {1, 0, angle, rate / 6.283185307179586, 0}},
+                         {"spin_axis", {0, 1, 0}},
+                         {"spin_point", {-arm, 0, 0}},
+                         {"velocity", {0, 0.2}},
+                         {"direction", {0.6, 0.8, 0}}}));
   Simulation s(sc);
   run(s, 3000);
   const double turned = angle * std::sin(rate * s.time()), speed = angle * rate * std::cos(rate * s.time());
@@ -269,95 +193,34 @@ TEST_CASE("an angle about a point beside a surface carries it along a circle", "
   CHECK(frame(s).velocity[2] == Approx(-arm * speed * std::cos(turned)).margin(1e-12));
 }
 
-TEST_CASE("surfaces that forces move go on from a state to the same bits", "[surfaces]") {
-  for (const Integration integration :
-       {Integration::velocity_verlet, Integration::position_verlet, Integration::fourth_order}) {
-    std::vector<Body> bodies;
-    for (int i = 0; i < 6; ++i)
-      bodies.push_back(body(i + 1, 0.05, 0.1, {{0.11 * (i % 3) - 0.11, 0.11 * (i / 3) - 0.05, 0.06}}));
-    Scene sc = scene(3, 1e-5, bodies,
-                     {{"normal_stiffness", {1e5}},
-                      {"restitution", {0.7}},
-                      {"tangential_stiffness", {3e4}},
-                      {"static_friction", {0.4}}});
-    sc.integration = integration;
-    add_boundary(sc, "disc",
-                 with(plate, {{"force", {0, 3}},
-                              {"superposed", {1, 0, 1e-3, 20, 0}},
-                              {"torque", {0, 0.2}},
-                              {"inertia", {0.02}}}));
-    add_body_force(sc, "gravity", {{"acceleration", {0.5, 0, -9.81}}});
-    Simulation whole(sc), first(sc);
-    run(whole, 6000);
-    run(first, 2300);
-    Simulation second(sc, first.state());
-    run(second, 3700);
-    CHECK(second.state_hash() == whole.state_hash());
-  }
-}
-
-TEST_CASE("a surface that is absent bears nothing, and comes back before bodies have passed", "[surfaces]") {
-  Scene sc = scene(3, 1e-4, {body(1, 0.1, 1, {{0, 0, 0.1 - 10 / stiffness}})},
-                   {{"normal_stiffness", {stiffness}}, {"normal_damping", {20}}});
-  const Values lid = {{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}, {"radius", {0.2}}, {"side", {1}}};
-  const Values absent_lid = with(lid, {{"control", {left_out}}});
-  add_boundary(sc, "disc", lid);
-  add_body_force(sc, "gravity", {{"acceleration", {0, 0, -10}}});
-  Simulation s(sc);
-  run(s, 10);
-  CHECK(s.surfaces().loads[0].force[2] == Approx(-10));
-  reconfigure(s, "disc", absent_lid);
-  CHECK(s.absent_walls()[0]);
-  CHECK(s.surfaces().loads[0].force[2] == 0);
-  run(s, 500);
-  CHECK(position(s, 0)[2] == Approx(0.1 - 10 / stiffness - 0.0125).epsilon(1e-11));
-  reconfigure(s, "disc", lid);  // the centre is still above
-  run(s, 10);
-  CHECK(s.surfaces().loads[0].force[2] < 0);
-  reconfigure(s, "disc", absent_lid);
-  run(s, 3000);
-  REQUIRE(position(s, 0)[2] < 0);
-  CHECK_THROWS_WITH(reconfigure(s, "disc", lid), Catch::Contains("with the centre of 1 body behind it"));
-  // Nothing moves it.
-  reconfigure(s, "disc", with(absent_lid, {{"spin", {0, 5}}, {"spin_axis", {1, 0, 0}}}));
-  run(s, 10);
-  CHECK(frame(s).orientation[0] == 1);
-  // From the start, with bodies behind.
-  Scene below = sc;
-  below.boundaries.clear();
-  below.bodies[0].position[2] = -1;
-  add_boundary(below, "disc", absent_lid);
-  Simulation passing(below);
-  run(passing, 10);
-  CHECK(position(passing, 0)[2] < -1);
-}
-
 TEST_CASE("motions of surfaces that cannot be are refused by name", "[surfaces]") {
   const Values disc = {{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}, {"radius", {0.2}}};
   const Values endless = {{"point", {5, 0, 0}}, {"axis", {0, 0, 1}}, {"radius", {0.2}}};
-  CHECK_THAT(problem("disc", with(disc, {{"force", {0, 1}}})), Catch::Contains("mass is missing"));
-  CHECK_THAT(problem("disc", with(disc, {{"torque", {0, 1}}})), Catch::Contains("inertia is missing"));
-  CHECK_THAT(problem("disc", with(plate, {{"force", {0, 1}}, {"velocity", {0, 1}}})),
+  CHECK_THAT(problem("disc", together(disc, {{"force", {0, 1}}})), Catch::Contains("mass is missing"));
+  CHECK_THAT(problem("disc", together(disc, {{"torque", {0, 1}}})), Catch::Contains("inertia is missing"));
+  CHECK_THAT(problem("disc", together(plate, {{"force", {0, 1}}, {"velocity", {0, 1}}})),
              Catch::Contains("without control; say which, such as control = \"velocity\""));
-  CHECK_THAT(problem("disc", with(disc, {{"spin", {0, 1}}, {"angle", {0, 1}}})),
+  CHECK_THAT(problem("disc", together(disc, {{"spin", {0, 1}}, {"angle", {0, 1}}})),
              Catch::Contains("without spin_control"));
-  CHECK_THAT(problem("disc", with(disc, {{"control", {by_velocity}}})), Catch::Contains("give velocity"));
-  CHECK_THAT(problem("disc", with(disc, {{"spin_control", {by_torque}}})), Catch::Contains("give torque"));
-  CHECK_THAT(problem("disc", with(disc, {{"superposed", {0, 1}}})), Catch::Contains("superposed on none"));
-  CHECK_THAT(problem("cylinder", with(endless, {{"stress", {0, 1}}, {"mass", {1}}})),
+  CHECK_THAT(problem("disc", together(disc, {{"control", {by_velocity}}})), Catch::Contains("give velocity"));
+  CHECK_THAT(problem("disc", together(disc, {{"spin_control", {by_torque}}})),
+             Catch::Contains("give torque"));
+  CHECK_THAT(problem("disc", together(disc, {{"superposed", {0, 1}}})),
+             Catch::Contains("superposed on none"));
+  CHECK_THAT(problem("cylinder", together(endless, {{"stress", {0, 1}}, {"mass", {1}}})),
              Catch::Contains("give area"));
-  CHECK_THAT(
-      problem("cylinder", with(endless, {{"torque", {0, 1}}, {"inertia", {1}}, {"spin_axis", {1, 0, 0}}})),
-      Catch::Contains("a surface without end"));
-  CHECK(problem("cylinder", with(endless, {{"torque", {0, 1}}, {"inertia", {1}}})) == "nothing");
-  CHECK_THAT(problem("disc", with(disc, {{"inertia", {1}}})),
+  CHECK_THAT(problem("cylinder",
+                     together(endless, {{"torque", {0, 1}}, {"inertia", {1}}, {"spin_axis", {1, 0, 0}}})),
+             Catch::Contains("a surface without end"));
+  CHECK(problem("cylinder", together(endless, {{"torque", {0, 1}}, {"inertia", {1}}})) == "nothing");
+  CHECK_THAT(problem("disc", together(disc, {{"inertia", {1}}})),
              Catch::Contains("inertia is given without torque; give torque = 0"));
-  CHECK_THAT(problem("disc", with(plate, {})), Catch::Contains("give force = 0"));
-  CHECK_THAT(problem("disc", with(disc, {{"torque", {0, 1}}, {"inertia", {1e-320}}})),
+  CHECK_THAT(problem("disc", together(plate, {})), Catch::Contains("give force = 0"));
+  CHECK_THAT(problem("disc", together(disc, {{"torque", {0, 1}}, {"inertia", {1e-320}}})),
              Catch::Contains("too small"));
   // What another stage uses may be there.
-  CHECK(problem("disc", with(plate, {{"control", {at_rest}}, {"superposed", {0, 1}}})) == "nothing");
-  CHECK(problem("disc", with(disc, {{"spin_control", {spin_at_rest}}, {"spin_point", {1, 0, 0}}})) ==
+  CHECK(problem("disc", together(plate, {{"control", {at_rest}}, {"superposed", {0, 1}}})) == "nothing");
+  CHECK(problem("disc", together(disc, {{"spin_control", {spin_at_rest}}, {"spin_point", {1, 0, 0}}})) ==
         "nothing");
 }
 

@@ -9,7 +9,7 @@
 namespace scree {
 
 // One degree of freedom of a rigid surface, a distance or an angle: at rest, prescribed, or moved by forces
-// or torques. Units and names are those of a distance; an angle has rad, N m, kg m² and so on.
+// or torques. Units and names are given for a distance; an angle has rad, N m, kg m² and so on.
 struct GuidedMotion {
   // In the order of the choices of `control`, from which a distance has all, an angle the first four.
   enum Control { fixed, displaced, at_velocity, pressed, under_stress, absent };
