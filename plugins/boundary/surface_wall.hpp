@@ -30,8 +30,9 @@ struct SurfaceWall {
   void set(const scree::Surface& shape, const scree::Setup& setup) {
     surface = shape;
     motion.set_area(projected_area(setup.dimension()));
+    const double farthest = motion.has_torque() ? reach(setup.dimension()) : 0;
     const std::string problem =
-        motion.prepare({axis, setup.dimension(), reach(setup.dimension()), surface.shape != SCREE_MESH});
+        motion.prepare({axis, setup.dimension(), farthest, surface.shape != SCREE_MESH});
     if (!problem.empty()) setup.refuse(problem.c_str());
   }
 
@@ -83,14 +84,13 @@ struct SurfaceWall {
     if (surface.shape == SCREE_FLAT) return (dimension == 2 ? a : std::hypot(a, b)) + norm(apart);
     return (surface.shape == SCREE_BALL ? a : reach_of_mesh()) + norm(apart);
   }
+  // The host refuses numbers that are no mesh after this.
   double reach_of_mesh() const {
     const scree_surface& mesh = surface;
+    const double points = mesh.mesh_size > 0 ? mesh.mesh[0] : 0;
     double reach = 0;
-    const auto points = mesh.mesh_size > 0 ? std::size_t(mesh.mesh[0]) : 0;
-    for (std::size_t p = 0; p < points; ++p) {
-      const double* const x = mesh.mesh + 1 + 3 * p;
-      reach = std::max(reach, surface.size[0] * std::hypot(x[0], x[1], x[2]));
-    }
+    for (std::uint64_t at = 1; at + 3 <= mesh.mesh_size && double(at) < 1 + 3 * points; at += 3)
+      reach = std::max(reach, mesh.size[0] * std::hypot(mesh.mesh[at], mesh.mesh[at + 1], mesh.mesh[at + 2]));
     return reach;
   }
 };

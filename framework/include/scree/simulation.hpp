@@ -105,6 +105,8 @@ class Simulation {
   const std::vector<std::uint32_t>& plane_materials() const;
   // Walls that are no planes. In a contact list they are numbered behind the planes.
   const WallSurfaces& surfaces() const;
+  // Largest speed (m/s) with which a surface came to where it was not, among the bodies, in the last step.
+  double surface_speed(std::size_t surface) const;
   // Of a wall as contact lists number them, from 0.
   const std::string& wall_name(std::size_t wall) const;
   // Length along each axis (m) between the walls that enclose the bodies, or the period; NaN along an axis

@@ -47,11 +47,12 @@ std::vector<NeighbourPair> without_fixed_pairs(const std::vector<NeighbourPair>&
 
 }  // namespace
 
-void NeighbourList::update(double body_speed, double plane_speed, double step, Particles& particles,
-                           const Boundaries& boundaries, Contacts& contacts, ThreadPool& threads) {
+void NeighbourList::update(double body_speed, double plane_speed, double surface_speed, double step,
+                           Particles& particles, const Boundaries& boundaries, Contacts& contacts,
+                           ThreadPool& threads) {
   body_travel_ += body_speed * step;
   plane_travel_ += plane_speed * step;
-  surface_travel_ += boundaries.largest_surface_speed(surface_reach_) * step;
+  surface_travel_ += surface_speed * step;
   // The integrated largest speed overestimates the displacement; measure it before searching.
   ++steps_;
   const bool review = choice_.review_due(steps_);

@@ -36,7 +36,7 @@ class NeighbourList {
   }
 
   // Adds one step (s) at these largest speeds (m/s) to the displacement bound; searches if that is too large.
-  void update(double body_speed, double plane_speed, double step, Particles& particles,
+  void update(double body_speed, double plane_speed, double surface_speed, double step, Particles& particles,
               const Boundaries& boundaries, Contacts& contacts, ThreadPool& threads);
   // For planes that have not moved yet in a step in which bodies have moved by up to body_travel: searches
   // now unless no unlisted pair touches wherever the planes are within plane_reach (m).

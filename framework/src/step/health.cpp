@@ -145,7 +145,7 @@ void report_blow_up(const Simulation& s, double speed_limit) {
     report_speed(s, name(i), norm(mid_velocity), speed_limit);
   }
   for (std::size_t k = 0; k < s.surfaces().size(); ++k)
-    report_speed(s, "surface " + s.surfaces().names[k], s.boundaries().surface_speed(k, {}), speed_limit);
+    report_speed(s, "surface " + s.surfaces().names[k], s.surface_speed(k), speed_limit);
   stop("", fmt::format("the motion is no longer finite {}", where(s)),
        fmt::format("use a shorter time.step (now {:g} s)", s.step_length()));
 }

@@ -209,6 +209,9 @@ const Vec3& Simulation::lengths_at_start() const { return parts_->lengths_at_sta
 const std::vector<std::string>& Simulation::taken_over() const { return parts_->taken_over; }
 const std::vector<std::string>& Simulation::let_go() const { return parts_->let_go; }
 const Boundaries& Simulation::boundaries() const { return parts_->boundaries; }
+double Simulation::surface_speed(std::size_t surface) const {
+  return parts_->boundaries.surface_speed(surface, parts_->neighbours.surface_reach());
+}
 const BodyForces& Simulation::body_forces() const { return parts_->body_forces; }
 void Simulation::add_body_forces(scree_body_batch& batch) const { add_body_forces(batch, time()); }
 void Simulation::add_body_forces(scree_body_batch& batch, double time) const {

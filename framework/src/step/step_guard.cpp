@@ -148,19 +148,6 @@ void add_body_forces(const Simulation& s, std::vector<StepLimit>& limits) {
                       critical_step(0, rate)});
 }
 
-// How far from the origin of its frame bodies may meet each surface (m).
-std::vector<double> reach_of_surfaces(const Simulation& s) {
-  std::vector<double> reach;
-  for (const scree_frame& frame : s.surfaces().frames) {
-    const Vec3 origin = {{frame.position[0], frame.position[1], frame.position[2]}};
-    double& farthest = reach.emplace_back(0);
-    for (std::size_t i = 0; i < s.particles().size(); ++i)
-      farthest =
-          std::max(farthest, norm(s.particles().body(i).position - origin) + s.particles().radius()[i]);
-  }
-  return reach;
-}
-
 void add_motion(const Simulation& s, std::vector<StepLimit>& limits) {
   double fastest = s.boundaries().displacement_speed();
   const Vec3 drift = drift_velocity(s.scene());
@@ -168,7 +155,7 @@ void add_motion(const Simulation& s, std::vector<StepLimit>& limits) {
     fastest = std::max(fastest, norm(s.particles().body(i).velocity - drift));
   for (const scree_plane& plane : s.planes())
     fastest = std::max(fastest, norm(Vec3{{plane.velocity[0], plane.velocity[1], plane.velocity[2]}}));
-  fastest = std::max(fastest, s.boundaries().largest_surface_speed(reach_of_surfaces(s)));
+  for (std::size_t k = 0; k < s.surfaces().size(); ++k) fastest = std::max(fastest, s.surface_speed(k));
   if (fastest > 0 && !s.scene().bodies.empty())
     limits.push_back(
         {fmt::format("the skin of {:.3g} m, which the fastest body or wall crosses at {:.3g} m/s,",

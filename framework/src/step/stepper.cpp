@@ -91,7 +91,8 @@ std::optional<double> Stepper::substep(double step, std::optional<double> next) 
   if (!std::isfinite(wall_speed) || too_fast(surface_speed * surface_speed)) return std::nullopt;
   laps.lap(Profile::boundaries);
 
-  p.neighbours.update(speed, plane_speed, std::abs(step), p.particles, p.boundaries, p.contacts, *p.threads);
+  p.neighbours.update(speed, plane_speed, surface_speed, std::abs(step), p.particles, p.boundaries,
+                      p.contacts, *p.threads);
   p.keep_neighbours_near();
   laps.lap(Profile::neighbours);
 

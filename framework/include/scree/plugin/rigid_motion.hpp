@@ -43,7 +43,7 @@ class RigidMotion {
   struct Shape {
     std::array<double, 3> axis;  // unit; of motions without a direction
     int dimension;
-    double reach = 0;      // (m) largest distance from the axis of the spin in which it is touched
+    double reach = 0;      // (m) from the axis of the spin in which it is touched, at most; under a torque
     bool has_axis = true;  // false: motions need their own direction and axis
   };
   // Unit vector of the translation if the shape has this axis; the axis if its direction is not given.
@@ -54,6 +54,7 @@ class RigidMotion {
   }
   const std::optional<std::array<double, 3>>& spin_axis() const { return spin_axis_; }
   const std::optional<std::array<double, 3>>& spin_point() const { return spin_point_; }
+  bool has_torque() const { return turn_.press.given(); }
   void set_area(double area) {
     if (!(along_.area > 0)) along_.area = area;
   }
@@ -86,8 +87,9 @@ class RigidMotion {
       return "a torque on a surface without end, which its spin moves; give it a length, or prescribe the spin";
     left_out_ = along_.control == GuidedMotion::absent;
     if (left_out_) turn_.motion.control = WallMotion::fixed;
-    light_mass_ = light_mass(shape.reach);
-    if ((along_.is_pressed() || turn_.is_pressed()) && !std::isnormal(light_mass_))
+    const double ease = ease_of_motion(shape.reach);
+    light_mass_ = ease > 0 ? 1 / ease : 0;
+    if (ease > 0 && !std::isnormal(light_mass_))
       return "its mass or inertia is too small for a contact to move it by a number; give a larger one";
     return "";
   }
@@ -196,11 +198,10 @@ class RigidMotion {
         .at_start_only();
   }
 
-  // (kg) that the lightest contact feels: 1/m + reach²/I is how easily a force in it moves the surface.
-  double light_mass(double reach) const {
-    const double ease = (along_.is_pressed() ? 1 / along_.inertia : 0) +
-                        (turn_.is_pressed() ? reach * reach / turn_.inertia : 0);
-    return ease > 0 ? 1 / ease : 0;
+  // 1/m + reach²/I (1/kg): how easily a force moves the surface where a contact moves it most.
+  double ease_of_motion(double reach) const {
+    return (along_.is_pressed() ? 1 / along_.inertia : 0) +
+           (turn_.is_pressed() ? reach * reach / turn_.inertia : 0);
   }
   static Vec3 centre(const BoundaryStep& s) { return {{s.state[0], s.state[1], s.state[2]}}; }
   static GuidedMotion::State state_of(const BoundaryStep& s, std::size_t first) {
