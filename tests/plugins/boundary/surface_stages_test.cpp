@@ -70,6 +70,22 @@ TEST_CASE("a stage that changes the directions of a surface keeps the parts of i
   CHECK(std::abs(s.energy().residual) < 600 * 2 * unit_round_off);
 }
 
+TEST_CASE("a superposed motion that ends leaves the motion by forces as it is", "[surfaces]") {
+  const Values pushed = {{"force", {0, 4}}, {"torque", {0, 0.1}}, {"inertia", {0.02}}};
+  const Values shaken = {{"superposed", {1, 0, 0.01, 30, 0}}, {"superposed_angle", {1, 0, 0.1, 20, 0}}};
+  Scene sc = far_body(1e-4);
+  add_boundary(sc, "disc", together(plate, together(pushed, shaken)));
+  Simulation s(sc);
+  run(s, 530);
+  const double speed = 4 / disc_mass * s.time(), spin = 0.1 / 0.02 * s.time();
+  REQUIRE(std::abs(frame(s).velocity[2] - speed) > 0.1);
+  REQUIRE(std::abs(frame(s).spin[2] - spin) > 0.1);
+  reconfigure(s, "disc", together(plate, pushed));
+  // A constant acceleration is exact; round-off of 530 steps.
+  CHECK(frame(s).velocity[2] == Approx(speed).epsilon(1e-12));
+  CHECK(frame(s).spin[2] == Approx(spin).epsilon(1e-12));
+}
+
 TEST_CASE("surfaces that forces move go on from a state to the same bits", "[surfaces]") {
   for (const Integration integration :
        {Integration::velocity_verlet, Integration::position_verlet, Integration::fourth_order}) {

@@ -86,8 +86,7 @@ struct GuidedMotion {
   }
   // With new parameters, after others, with which the speed was `state`.
   void change(State& state, const GuidedMotion& before, double time, BoundaryEnergy& energy) const {
-    const double free = motion.free_speed_after(before.motion, state.speed,
-                                                before.motion.superposes() ? state.free_speed : state.speed);
+    const double free = motion.free_speed_after(before.motion, state.speed, state.free_speed);
     const double speed = free + motion.prescribed(time, 0).speed;
     state = {speed, speed, free};
     motion.add_kinetic(free, energy);
