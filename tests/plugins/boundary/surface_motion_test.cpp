@@ -235,6 +235,15 @@ TEST_CASE("a surface that passes bodies within a step ends the run", "[surfaces]
                                       Catch::Contains("above the limit of 500 m/s"));
 }
 
+// Its distance jumps below 0 there, wherever it was measured last.
+TEST_CASE("a body that comes behind a surface with one side is found", "[surfaces]") {
+  Scene sc = scene(3, 1e-4, {body(1, 0.05, 1, {{1.3, 0, -1}}, {{-10, 0, 0}})}, elastic);
+  add_boundary(sc, "disc", {{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}, {"radius", {0.2}}, {"side", {1}}});
+  Simulation s(sc);
+  run(s, 1050);
+  CHECK_THROWS_WITH(run(s, 150), Catch::Contains("contact of particle 1 with wall disc: overlap is"));
+}
+
 TEST_CASE("axes near to -z are as good as others", "[surfaces]") {
   for (int k = 0; k <= 17; ++k)
     for (const double turn : {0.0, 0.7, 2.0}) {
