@@ -56,6 +56,7 @@ struct SurfaceWall {
   void change(const SurfaceWall& before, double, const scree::BoundaryStep& s) const {
     motion.change(before.motion, s);
   }
+  void linear(const scree::BoundaryStep& s, scree::LinearWalls& walls) const { motion.linear(s, walls); }
 
  private:
   // Seen along the direction of the motion (m², in 2D m × 1 m); 0 if it is not known.

@@ -48,10 +48,13 @@ class LawBatch {
     ContactJacobian jacobian_;
     std::vector<double> values_;
   };
+  // inverse_distance: (1/m) of the centres; 0: at a plane.
   Derivatives derivatives(double inverse_distance, double step) {
-    const std::vector<double> inverse_distances(SCREE_LANES, inverse_distance);
+    Vec3 normal;
+    for (int k = 0; k < 3; ++k) normal[k] = contact_.input(SCREE_NORMAL, k);
+    const std::vector<PairVariation> variations(SCREE_LANES, {across(inverse_distance, normal), {}});
     Derivatives all(law_, dimension_);
-    all.jacobian_.evaluate(contact_.batch(step), inverse_distances.data(), all.values_);
+    all.jacobian_.evaluate(contact_.batch(step), variations, all.values_);
     return all;
   }
 

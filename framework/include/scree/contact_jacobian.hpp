@@ -1,7 +1,9 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
+#include <scree/pair_variation.hpp>
 #include <scree/plugin_host.hpp>
 
 namespace scree {
@@ -32,9 +34,9 @@ class ContactJacobian {
   int columns() const { return 3 * rows(); }
   int first(PairMotion motion) const;  // column
   // Evaluates a batch of `batch.count` pairs, whose history and outputs stay as they are.
-  // inverse_distance: (count) 1/|x_a − x_b| (1/m), by which the normal turns; 0 for a wall.
+  // variations: (count) of each pair.
   // Writes (count, rows, columns) numbers.
-  void evaluate(const scree_contact_batch& batch, const double* inverse_distance,
+  void evaluate(const scree_contact_batch& batch, std::span<const PairVariation> variations,
                 std::vector<double>& jacobian) const;
 
  private:

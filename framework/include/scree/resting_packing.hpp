@@ -18,12 +18,13 @@ struct ContactHistory {
 
 // The bodies and walls of a simulation at rest in other places; see Simulation::state_at_rest.
 struct RestingPacking {
-  double time;                           // (s)
-  std::span<const Vec3> bodies;          // (m) centres, without jumps at periodic faces
-  std::span<const Vec3> planes;          // (m) points of the planes
-  std::span<const scree_load> loads;     // (N) forces of contacts on the planes
-  const Orientations& orientations;      // if the simulation carries them
-  std::vector<ContactHistory> contacts;  // all that touch, in any order
+  double time;                                      // (s)
+  std::span<const Vec3> bodies;                     // (m) centres, without jumps at periodic faces
+  std::span<const Vec3> planes;                     // (m) points of the planes
+  std::span<const scree_load> loads;                // (N) forces of contacts on the planes
+  std::span<const scree_frame_load> surface_loads;  // of contacts on the surfaces, which stay where they are
+  const Orientations& orientations;                 // if the simulation carries them
+  std::vector<ContactHistory> contacts;             // all that touch, in any order
 };
 
 }  // namespace scree

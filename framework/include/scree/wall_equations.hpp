@@ -7,9 +7,10 @@
 
 namespace scree {
 
-// Equations of small motions of all walls about their present state, see scree_linear_plane.
+// Equations of small motions of all walls, planes and then surfaces, about their present state, see
+// scree_linear_wall.
 struct WallEquations {
-  std::vector<scree_linear_plane> walls;
+  std::vector<scree_linear_wall> walls;
   std::vector<double> stiffness;  // (walls, walls) (N/m) 0 between walls of different boundaries
 
   double stiffness_of(std::size_t pressed, std::size_t moved) const {

@@ -17,10 +17,10 @@ class InputTangent {
       : batch_(batch), dimension_(dimension), reads_(reads), columns_(SCREE_CONTACT_INPUT_COUNT) {}
 
   // Component k of a motion changes by 1.
-  void move(PairMotion motion, int k, const double* inverse_distance) {
+  void move(PairMotion motion, int k, std::span<const PairVariation> variations) {
     switch (motion) {
       case PairMotion::centres:
-        move_surfaces(k), move_centres(k, inverse_distance);
+        move_surfaces(k), move_centres(k, variations);
         break;
       case PairMotion::surfaces:
         move_surfaces(k);
@@ -54,13 +54,15 @@ class InputTangent {
       for (int k = 0; k < dimension_; ++k) set(SCREE_TANGENTIAL_INCREMENT + k, i, across(axis, k, i));
   }
 
-  void move_centres(int axis, const double* inverse_distance) {
+  void move_centres(int axis, std::span<const PairVariation> variations) {
     for (std::uint32_t i = 0; i < batch_.count; ++i) {
       const double along = input(SCREE_NORMAL + axis, i);
       set(SCREE_OVERLAP, i, -along);
-      for (int k = 0; k < dimension_; ++k) set(SCREE_NORMAL + k, i, across(axis, k, i) * inverse_distance[i]);
+      const PairVariation& change = variations[i];
+      for (int k = 0; k < dimension_; ++k) set(SCREE_NORMAL + k, i, change.normal[std::size_t(k)][axis]);
       if (reads(SCREE_SEPARATION)) set(SCREE_SEPARATION + axis, i, 1);
-      if (reads(SCREE_CONTACT_RADIUS)) set_contact_radius(i, -along);
+      if (reads(SCREE_EFFECTIVE_RADIUS)) set(SCREE_EFFECTIVE_RADIUS, i, change.effective_radius[axis]);
+      if (reads(SCREE_CONTACT_RADIUS)) set_contact_radius(i, -along, change.effective_radius[axis]);
     }
   }
 
@@ -96,9 +98,11 @@ class InputTangent {
     columns_[std::size_t(column)][i] = value;
   }
   // a = √(R* δ), with R* = a²/δ; 1/a; √a.
-  void set_contact_radius(std::uint32_t i, double overlap_change) {
+  void set_contact_radius(std::uint32_t i, double overlap_change, double effective_radius_change) {
     const double overlap = input(SCREE_OVERLAP, i), radius = input(SCREE_CONTACT_RADIUS, i);
-    const double relative = overlap > 0 ? 0.5 * overlap_change / overlap : 0;
+    const double relative =
+        overlap > 0 ? 0.5 * (overlap_change / overlap + effective_radius_change * overlap / (radius * radius))
+                    : 0;
     set(SCREE_CONTACT_RADIUS, i, radius * relative);
     set(SCREE_CONTACT_RADIUS + 1, i, -input(SCREE_CONTACT_RADIUS + 1, i) * relative);
     set(SCREE_CONTACT_RADIUS + 2, i, 0.5 * input(SCREE_CONTACT_RADIUS + 2, i) * relative);
@@ -131,14 +135,14 @@ int ContactJacobian::first(PairMotion motion) const {
   return columns;
 }
 
-void ContactJacobian::evaluate(const scree_contact_batch& batch, const double* inverse_distance,
+void ContactJacobian::evaluate(const scree_contact_batch& batch, std::span<const PairVariation> variations,
                                std::vector<double>& jacobian) const {
   jacobian.assign(batch.count * std::size_t(rows() * columns()), 0.0);
   std::vector<double> outputs(batch.count * SCREE_ELASTIC_NORMAL);
   for (int m = 0; m < pair_motions; ++m)
     for (int k = 0; k < motion_components(PairMotion(m), dimension_); ++k) {
       InputTangent input(batch, dimension_, law_.instance().reads);
-      input.move(PairMotion(m), k, inverse_distance);
+      input.move(PairMotion(m), k, variations);
       scree_contact_tangent tangent = {};
       tangent.struct_size = sizeof(tangent);
       for (std::uint32_t c = 0; c < SCREE_CONTACT_INPUT_COUNT; ++c) tangent.input[c] = input.column(c);

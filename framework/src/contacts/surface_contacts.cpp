@@ -10,19 +10,6 @@ namespace scree {
 
 namespace {
 
-// A body that is larger than the hollow in which it lies would have an effective radius below 0: it has at
-// most this many times its own.
-constexpr double largest_effective_radius = 1e3;
-
-// 1/R*² = (1/R + κ₁) (1/R + κ₂): exact for spheres; for cylinders and cones, whose contacts are elliptic, the
-// force has an error of 0.02 (R κ)² (Johnson 1985, eq. 4.26, without F₂).
-double effective_radius_at(const Vec2& surface, double of_body) {
-  const auto together = [&](int k) {
-    return std::max(of_body + surface[k], of_body / largest_effective_radius);
-  };
-  return 1 / std::sqrt(together(0) * together(1));
-}
-
 void set_part(double* part, const Vec3& v) { std::copy_n(v.component, 3, part); }
 
 // A record as of a body at the nearest point, see scree::record.

@@ -215,7 +215,7 @@ void SimulationParts::come_to_rest(const RestingPacking& packing) {
   stepper.set_time(packing.time);
   particles.come_to_rest(packing.bodies, boundaries.domain());
   if (particles.orientations) particles.orientations = packing.orientations;
-  boundaries.come_to_rest(packing.planes, packing.loads);
+  boundaries.come_to_rest(packing);
   search_neighbours();
   forces.update_pairs(particles, contacts, reads_of(laws), boundaries.wall_count(), *threads);
   contacts.clear_histories();

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include <scree/plugin/abi.h>
 #include <scree/plugin/vec.hpp>
 
@@ -13,6 +16,21 @@ struct NearestPoint {
   Vec2 curvature;   // (1/m) principal ones of the surface, above 0 where it bulges towards the body; in 2D
                     // twice the same; 0 on edges
 };
+
+// A body that is larger than the hollow in which it lies would have an effective radius below 0: it has at
+// most this many times its own.
+constexpr double largest_effective_radius = 1e3;
+
+// R* (m) of a Hertz contact of a body with the curvature 1/R (1/m) on a surface with these principal ones:
+//   1/R*² = (1/R + κ₁) (1/R + κ₂)
+// exact for spheres; for cylinders and cones, whose contacts are elliptic, the force has an error of
+// 0.02 (R κ)² (Johnson 1985, eq. 4.26, without F₂).
+inline double effective_radius_at(const Vec2& surface, double of_body) {
+  const auto together = [&](int k) {
+    return std::max(of_body + surface[k], of_body / largest_effective_radius);
+  };
+  return 1 / std::sqrt(together(0) * together(1));
+}
 
 // The nearest point to x (m) of a surface that is no mesh; of several that are equally near, one. x: in the
 // frame of the surface.

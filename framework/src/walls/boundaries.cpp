@@ -259,15 +259,16 @@ Boundaries boundaries_of(const Scene& scene) {
   return Boundaries(scene.boundaries, scene.dimension, bounds_of(scene.bodies, scene.dimension));
 }
 
-void Boundaries::come_to_rest(std::span<const Vec3> points, std::span<const scree_load> loads) {
+void Boundaries::come_to_rest(const RestingPacking& packing) {
   for (std::size_t w = 0; w < planes_.size(); ++w)
     for (int k = 0; k < 3; ++k) {
-      planes_[w].point[k] = points[w][k];
+      planes_[w].point[k] = packing.planes[w][k];
       planes_[w].velocity[k] = planes_[w].mid_velocity[k] = 0;
     }
   // At rest extrapolation moves nothing.
   if (!planes_before_extrapolation_.empty()) planes_before_extrapolation_ = planes_;
-  std::copy(loads.begin(), loads.end(), loads_.begin());
+  std::copy(packing.loads.begin(), packing.loads.end(), loads_.begin());
+  std::copy(packing.surface_loads.begin(), packing.surface_loads.end(), surfaces_.loads.begin());
 }
 
 }  // namespace scree

@@ -10,6 +10,7 @@
 #include <scree/body_bounds.hpp>
 #include <scree/domain.hpp>
 #include <scree/plugin_host.hpp>
+#include <scree/resting_packing.hpp>
 #include <scree/scene.hpp>
 #include <scree/state.hpp>
 #include <scree/wall_equations.hpp>
@@ -90,8 +91,8 @@ class Boundaries {
   void take_over(const State& state, std::size_t from, const std::string& name);
   std::size_t first_plane(std::size_t boundary) const { return members_[boundary].first_plane; }
   std::size_t first_surface(std::size_t boundary) const { return members_[boundary].first_surface; }
-  // Moves the planes to points (m), at rest and with the forces of contacts on them.
-  void come_to_rest(std::span<const Vec3> points, std::span<const scree_load> loads);
+  // Moves the planes, at rest and with the forces of contacts on them; surfaces stay where they are.
+  void come_to_rest(const RestingPacking& packing);
   // Begins the balance and the programs anew, at t = 0.
   void begin_anew();
   // extrapolated: the planes are ahead of the last force evaluation, as extrapolate() has left them.
@@ -122,6 +123,8 @@ class Boundaries {
   void check_walls_against_domain() const;
   void linearise(const Member& member, double time, const std::vector<scree_plane>& at,
                  WallEquations& equations) const;
+  void state_equations(const Member& member, double time, const std::vector<scree_plane>& at,
+                       const scree_linear_walls& walls) const;
   scree_boundary_step step_of(Member& member, double time, double step, scree_boundary_energy& energy);
   // With these planes and numbers of state, of the boundary or copies of them.
   scree_boundary_step step_of(const Member& member, std::span<scree_plane> planes, std::span<double> state,

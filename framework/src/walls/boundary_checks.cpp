@@ -68,16 +68,17 @@ std::string problem_of(const scree_plane& plane) {
   return std::abs(length - 1) > 1e-9 ? fmt::format("normal has length {:g}", length) : "";
 }
 
-std::string problem_of(const scree_linear_plane& plane, std::span<const double> stiffness) {
-  const double length = std::hypot(plane.direction[0], plane.direction[1], plane.direction[2]);
+std::string problem_of(const scree_linear_wall& wall, std::span<const double> stiffness) {
+  const double length = std::hypot(wall.direction[0], wall.direction[1], wall.direction[2]);
   if (!(std::abs(length - 1) < 1e-9)) return fmt::format("a direction of length {:g}", length);
-  if (!std::isfinite(plane.speed)) return fmt::format("a speed of {:g} m/s", plane.speed);
-  if (!plane.free) return "";
-  if (!std::isfinite(plane.pressing_force))
-    return fmt::format("a pressing force of {:g} N", plane.pressing_force);
-  if (!(plane.mass >= 0 && std::isfinite(plane.mass))) return fmt::format("a mass of {:g} kg", plane.mass);
-  if (!(plane.viscosity >= 0 && std::isfinite(plane.viscosity)))
-    return fmt::format("a viscosity of {:g} kg/s", plane.viscosity);
+  if (!std::isfinite(wall.speed)) return fmt::format("a speed of {:g} m/s", wall.speed);
+  if (wall.free > SCREE_NO_EQUATION) return fmt::format("the unknown freedom {}", wall.free);
+  if (wall.free != SCREE_FREE) return "";
+  if (!std::isfinite(wall.pressing_force))
+    return fmt::format("a pressing force of {:g} N", wall.pressing_force);
+  if (!(wall.mass >= 0 && std::isfinite(wall.mass))) return fmt::format("a mass of {:g} kg", wall.mass);
+  if (!(wall.viscosity >= 0 && std::isfinite(wall.viscosity)))
+    return fmt::format("a viscosity of {:g} kg/s", wall.viscosity);
   for (const double k : stiffness)
     if (!std::isfinite(k)) return fmt::format("a stiffness of {:g} N/m", k);
   return "";

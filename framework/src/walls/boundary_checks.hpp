@@ -18,6 +18,6 @@ bool is_finite(const scree_plane& plane);
 std::string problem_of(const scree_plane& plane);
 // What a linear equation has that it must not have, "a mass of -1 kg"; empty if it is sound. stiffness: its
 // row.
-std::string problem_of(const scree_linear_plane& plane, std::span<const double> stiffness);
+std::string problem_of(const scree_linear_wall& wall, std::span<const double> stiffness);
 
 }  // namespace scree

@@ -144,7 +144,7 @@ struct BoundaryLayout {
 // Equation of small motions of a wall along one direction, m s" + γ s' + Σ_c k_c x_c = F, x = s + d, with the
 // displacement x, its superposed part d and the force F of the contacts (abi/boundary.h).
 struct LinearWall {
-  std::uint32_t free = 0;     // nonzero: moved by forces; 0: as prescribed
+  std::uint32_t free = 0;     // scree_wall_freedom
   Vec3 direction;             // unit; the normal at first
   double mass = 0;            // m (kg), may be 0
   double viscosity = 0;       // γ (kg/s)
@@ -152,7 +152,7 @@ struct LinearWall {
   double speed = 0;           // d' (m/s) at that time; of a wall that is not free x'
 };
 
-// Those of all walls of a boundary, at first prescribed and 0.
+// Of the planes of a boundary, then of its surfaces; at first they are prescribed, and numbers are 0.
 struct LinearWalls {
   std::span<LinearWall> walls;
   std::span<double> stiffnesses;  // (walls, walls)
@@ -255,10 +255,10 @@ void change_boundary(const void* storage, const void* before, double time_before
 }
 template <class Author>
 void linearise_boundary(const void* storage, const scree_boundary_step* step,
-                        const scree_linear_planes* planes) {
-  const std::size_t count = planes->plane_count;
-  LinearWalls walls = {span_of<LinearWall>(planes->planes, count), {planes->stiffness, count * count}};
-  static_cast<const Author*>(storage)->linear(step_of(*step), walls);
+                        const scree_linear_walls* walls) {
+  const std::size_t count = walls->wall_count;
+  LinearWalls equations = {span_of<LinearWall>(walls->walls, count), {walls->stiffness, count * count}};
+  static_cast<const Author*>(storage)->linear(step_of(*step), equations);
 }
 template <class Author>
 constexpr auto linear_of() {

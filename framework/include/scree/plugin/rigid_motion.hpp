@@ -32,6 +32,7 @@ namespace scree {
 //   in change       motion.change(before.motion, s);
 //   in begin_step   motion.begin(s);
 //   in finish_step  motion.finish(s);
+//   in linear       motion.linear(s, walls);
 class RigidMotion {
  public:
   void declare(Declaration& d) {
@@ -142,6 +143,17 @@ class RigidMotion {
     along_.finish(along, at.force, s.time, s.step, s.energy);
     turn_.finish(turn, at.torque, s.time, s.step, s.energy);
     keep(s, along, turn);
+  }
+  // One equation for each surface: there is none if it turns, or if forces move several together.
+  void linear(const BoundaryStep& s, LinearWalls& all) const {
+    const WallMotion::Prescribed turn = turn_.motion.prescribed(s.time, 0);
+    const bool turns = turn_.is_pressed() || turn.speed != 0,
+               together = along_.is_pressed() && s.frames.size() > 1;
+    for (LinearWall& wall : all.walls.subspan(s.walls.size())) {
+      wall = along_.motion.linear(vector_of(direction_), along_.motion.prescribed(s.time, 0),
+                                  along_.pressing_force(s.time));
+      if (turns || together) wall.free = SCREE_NO_EQUATION;
+    }
   }
 
  private:

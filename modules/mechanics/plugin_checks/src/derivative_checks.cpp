@@ -140,7 +140,6 @@ Checks check_derivatives(const LawUnderCheck& law) {
   const std::string name = "derivatives agree with finite differences";
   if (!law.law.instance().differentiate) return {{name, Check::Verdict::skipped, "the law has none"}};
   const ContactJacobian derivative(law.law, law.dimension);
-  const std::vector<double> inverse_distance(SCREE_LANES, 1 / law.passage.distance());
   Worst worst;
   for (int variant = 0; variant < LawUnderCheck::variants; variant += 3) {
     ContactColumns contact(1);
@@ -151,7 +150,11 @@ Checks check_derivatives(const LawUnderCheck& law) {
         law.passage.set(before, 0, variant, step);
         for (std::size_t k = 0; k < history.size(); ++k) before.history(k) = history[k];
         std::vector<double> jacobian;
-        derivative.evaluate(before.batch(law.passage.step()), inverse_distance.data(), jacobian);
+        Vec3 normal;
+        for (int c = 0; c < 3; ++c) normal[c] = before.input(SCREE_NORMAL, c);
+        const std::vector<PairVariation> variations(SCREE_LANES,
+                                                    PairVariation::of_bodies(normal, law.passage.distance()));
+        derivative.evaluate(before.batch(law.passage.step()), variations, jacobian);
         for (int m = 0; m < pair_motions; ++m)
           for (int k = 0; k < motion_components(PairMotion(m), law.dimension); ++k)
             compare(law, variant, step, history, PairMotion(m), k, derivative, jacobian, worst);

@@ -9,6 +9,7 @@
 #include <scree/error.hpp>
 #include <scree/plugin/program.hpp>
 #include <scree/wall_equations.hpp>
+#include <scree/wall_surfaces.hpp>
 
 namespace scree::spectrum {
 
@@ -42,11 +43,20 @@ void start_wave(Simulation& simulation, const SpectrumPlan& plan, const Wave& wa
 
 namespace {
 
+// (m) Points of the planes, then origins of the frames of surfaces.
+std::vector<Vec3> places_of_walls(const Simulation& simulation) {
+  std::vector<Vec3> all;
+  for (const scree_plane& plane : simulation.planes()) all.push_back(vector(plane.point));
+  for (const scree_frame& frame : simulation.surfaces().frames) all.push_back(vector(frame.position));
+  return all;
+}
+
 // Velocity of each wall (m/s) at the start of a drive of this speed (m/s).
 std::vector<Vec3> velocities(Simulation& copy, const SpectrumPlan& plan, double speed) {
   start_wave(copy, plan, {Program::ramp, 0, speed, 1});
   std::vector<Vec3> all;
   for (const scree_plane& plane : copy.planes()) all.push_back(vector(plane.velocity));
+  for (const scree_frame& frame : copy.surfaces().frames) all.push_back(vector(frame.velocity));
   return all;
 }
 
@@ -55,7 +65,7 @@ std::vector<Vec3> velocities(Simulation& copy, const SpectrumPlan& plan, double 
 DrivenWalls::DrivenWalls(const Start& start) {
   Simulation copy(start.scene, start.state);
   const SpectrumPlan& plan = start.spectrum;
-  for (const scree_plane& plane : copy.planes()) at_rest_.push_back(vector(plane.point));
+  at_rest_ = places_of_walls(copy);
   // Slow compared with any motion of the scene, since limits of speed hold for walls too.
   const double speed = 2 * plan.from_hz * plan.amplitude;
   const std::vector<Vec3> still = velocities(copy, plan, 0), moving = velocities(copy, plan, speed);
@@ -64,9 +74,9 @@ DrivenWalls::DrivenWalls(const Start& start) {
     motion_.push_back((1 / speed) * (moving[w] - still[w]));
     square_ += dot(motion_[w], motion_[w]);
     const bool driven = dot(motion_[w], motion_[w]) > 0;
-    const scree_linear_plane& equation = equations.walls[w];
-    prescribed_ &= !driven || !equation.free;
-    if (driven && equation.free && equation.mass == 0 && equation.viscosity == 0)
+    const scree_linear_wall& equation = equations.walls[w];
+    prescribed_ &= !driven || equation.free == SCREE_PRESCRIBED;
+    if (driven && equation.free == SCREE_FREE && equation.mass == 0 && equation.viscosity == 0)
       throw Error(fmt::format(
           "{}: a servo or massless wall keeps its load, so that '{}' of '{}' drives nothing; give the wall control = "
           "\"force\" or \"stress\" with a mass, or drive the opposite wall",
@@ -78,10 +88,10 @@ DrivenWalls::DrivenWalls(const Start& start) {
                     plan.drive_place, plan.key, plan.boundary));
 }
 
-double DrivenWalls::drive_of(const std::vector<scree_plane>& planes) const {
+double DrivenWalls::drive_of(const Simulation& simulation) const {
+  const std::vector<Vec3> places = places_of_walls(simulation);
   double sum = 0;
-  for (std::size_t w = 0; w < planes.size(); ++w)
-    sum += dot(motion_[w], vector(planes[w].point) - at_rest_[w]);
+  for (std::size_t w = 0; w < places.size(); ++w) sum += dot(motion_[w], places[w] - at_rest_[w]);
   return sum / square_;
 }
 
@@ -90,8 +100,8 @@ void check_amplitude(const Start& start, double amplitude) {
   constexpr double least_share = 1000;
   const Simulation simulation(start.scene, start.state);
   double largest = 0;
-  for (const scree_plane& plane : simulation.planes())
-    for (const double x : plane.point) largest = std::max(largest, std::abs(x));
+  for (const Vec3& place : places_of_walls(simulation))
+    for (const double x : place.component) largest = std::max(largest, std::abs(x));
   const Particles& p = simulation.particles();
   for (int k = 0; k < simulation.dimension(); ++k)
     for (std::size_t i = 0; i < p.size(); ++i) largest = std::max(largest, std::abs(p.position()[k][i]));

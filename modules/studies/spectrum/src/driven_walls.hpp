@@ -31,7 +31,7 @@ class DrivenWalls {
   // Whether nothing but the drive moves them, so that the drive follows from their position.
   bool are_prescribed() const { return prescribed_; }
   // The drive (m) that follows from the position of the walls; only if they are prescribed.
-  double drive_of(const std::vector<scree_plane>& planes) const;
+  double drive_of(const Simulation& simulation) const;
   void transfer(const StateTransfer& state);
   // Throws Error if a state had another number of walls.
   void check_restored(const StateTransfer& state, std::size_t walls) const;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <scree/error.hpp>
+#include <scree/wall_surfaces.hpp>
 
 namespace scree::spectrum {
 
@@ -76,7 +77,8 @@ void DisplacedView::displace_bodies(const response::HarmonicResponse& motion, Co
 void DisplacedView::displace_walls(const response::HarmonicResponse& motion, Complex turn,
                                    const response::HarmonicRates& rates) {
   planes_ = simulation_.planes();
-  for (std::size_t w = 0; w < planes_.size(); ++w) {
+  frames_ = simulation_.surfaces().frames;
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
     const Eigen::Index number = freedom_.wall(w);
     const Complex to_velocity = number == response::DegreesOfFreedom::none ? rates.exact
                                 : equations_.walls[w].mass > 0             ? rates.central
@@ -85,11 +87,13 @@ void DisplacedView::displace_walls(const response::HarmonicResponse& motion, Com
       const Complex q = turn * (number == response::DegreesOfFreedom::none
                                     ? Complex(walls_[w][k])
                                     : motion.amplitude[number] * equations_.walls[w].direction[k]);
-      planes_[w].point[k] += q.real();
-      planes_[w].velocity[k] += (to_velocity * q).real();
+      const bool plane = w < planes_.size();
+      (plane ? planes_[w].point : frames_[w - planes_.size()].position)[k] += q.real();
+      (plane ? planes_[w].velocity : frames_[w - planes_.size()].velocity)[k] += (to_velocity * q).real();
     }
   }
   view_.planes = planes_.data();
+  view_.frames = frames_.data();
 }
 
 LinearColumns::LinearColumns(const scenario::Plan& plan, std::vector<ObservedColumn> observed,

@@ -48,6 +48,7 @@ class DisplacedView {
   WallEquations equations_;
   double time_step_;
   std::vector<scree_plane> planes_;
+  std::vector<scree_frame> frames_;
 };
 
 // Observed columns, linearised about the present state by central differences of their probes along a motion.

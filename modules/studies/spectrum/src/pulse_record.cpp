@@ -99,7 +99,7 @@ bool PulseRecord::sample_next() {
     columns_[c].push_back(values[c] - at_start_[c] - (undriven_ ? undriven_->columns_[c][samples()] : 0));
   const scree_value program = {.data = wave_.data(), .count = wave_.size()};
   drive_.push_back(walls_.are_prescribed()
-                       ? walls_.drive_of(simulation_->planes())
+                       ? walls_.drive_of(*simulation_)
                        : Program(program)(double(simulation_->steps() - first_) * start_.scene.step));
   return true;
 }

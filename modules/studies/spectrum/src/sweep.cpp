@@ -46,7 +46,7 @@ Sweep::Sweep(const Start& start, const State& state)
   Scene scene = start.scene;
   if (!points_.empty()) set_wave(scene, start.spectrum, wave());
   simulation_ = std::make_unique<Simulation>(scene, state);
-  walls_.check_restored(from.below("walls"), simulation_->planes().size());
+  walls_.check_restored(from.below("walls"), simulation_->absent_walls().size());
   observer_.check_restored(*simulation_);
 }
 
@@ -190,7 +190,7 @@ bool Sweep::record(const AddSample& add, double frequency, std::uint64_t first, 
 
 double Sweep::drive_at(double frequency, double time) const {
   return walls_.are_prescribed()
-             ? walls_.drive_of(simulation_->planes())
+             ? walls_.drive_of(*simulation_)
              : start_.spectrum.amplitude * std::sin(two_pi * frequency * time + began_phase_);
 }
 

@@ -45,7 +45,7 @@ double unbalanced_walls(const Simulation& s, const Sample& sample) {
   const WallEquations equations = s.linear_walls(sample.time, sample.planes);
   double largest = 0;
   for (std::size_t w = 0; w < equations.walls.size(); ++w) {
-    const scree_linear_plane& wall = equations.walls[w];
+    const scree_linear_wall& wall = equations.walls[w];
     double force = wall.pressing_force;
     for (int k = 0; k < 3; ++k) force += wall.direction[k] * sample.loads[w].force[k];
     if (wall.free) largest = std::max(largest, std::abs(force));

@@ -96,28 +96,35 @@ typedef struct scree_boundary_instance {
   uint32_t surfaces_absent; /* nonzero: the surfaces keep their places and exert no forces */
 } scree_boundary_instance;
 
-/* Equation of small motions of a plane about its present state, along one direction:
+enum scree_wall_freedom {
+  SCREE_PRESCRIBED = 0, /* forces do not move the wall, and only the direction of its equation counts */
+  SCREE_FREE = 1,       /* forces move it along the direction */
+  SCREE_NO_EQUATION = 2 /* it turns, or is moved in a way that the equation below does not have */
+};
+
+/* Equation of small motions of a plane or a surface about its present state, along one direction:
  *   m s" + γ s' + Σ_c k_c x_c = F,  x = s + d
  * x: displacement, d: its superposed part, F: change of the force of the contacts along the direction, and k_c
- * the negative derivative of the pressing force with the displacement of plane c along the direction of that
- * plane. */
-typedef struct scree_linear_plane {
-  uint32_t free;         /* nonzero: moved by forces; 0: as prescribed, and only the direction counts */
+ * the negative derivative of the pressing force with the displacement of wall c along the direction of that
+ * wall. */
+typedef struct scree_linear_wall {
+  uint32_t free;         /* scree_wall_freedom */
   double direction[3];   /* unit */
   double mass;           /* (kg) m >= 0 */
   double viscosity;      /* (kg/s) γ >= 0 */
   double pressing_force; /* (N) in the direction, at the time of the step */
-  double speed;          /* (m/s) d' at that time; for a plane that is not free, its own speed */
-} scree_linear_plane;
+  double speed;          /* (m/s) d' at that time; for a wall that is not free, its own speed */
+} scree_linear_wall;
 
-/* Output of `linear`; before the call planes are prescribed along their normals, and all numbers are 0. */
-typedef struct scree_linear_planes {
+/* Output of `linear`; before the call planes are prescribed along their normals, surfaces along the axis z of
+ * the scene, and all numbers are 0. */
+typedef struct scree_linear_walls {
   uint32_t struct_size;
-  uint32_t plane_count;
-  scree_linear_plane* planes; /* plane_count */
-  double* stiffness;          /* (plane_count, plane_count) (N/m) by rows; rows of planes that are not free
-                                 do not count */
-} scree_linear_planes;
+  uint32_t wall_count;      /* planes, then surfaces */
+  scree_linear_wall* walls; /* wall_count */
+  double* stiffness;        /* (wall_count, wall_count) (N/m) by rows; rows of walls that are not free
+                               do not count */
+} scree_linear_walls;
 
 /* Calls: `start` when a scene is set up, also where it is only checked; then for each substep `begin_step`, an
  * evaluation of the forces, `finish_step`; between steps `change` when a stage sets parameters. Planes must be
@@ -142,9 +149,10 @@ typedef struct scree_boundary {
    * kinetic energy stay, or become 0 if the planes are still from now on. */
   void (*change)(const void* storage, const void* before, double time_before,
                  const scree_boundary_step* step);
-  /* (optional) States how forces move the planes, for a linear response. `step` is as between two steps, with
-   * copies of planes and state; its energy is ignored. Without this function all planes are prescribed. */
-  void (*linear)(const void* storage, const scree_boundary_step* step, const scree_linear_planes* planes);
+  /* (optional) States how forces move the walls, for a linear response. `step` is as between two steps, with
+   * copies of planes, frames and state; its energy is ignored. Without this function all planes are prescribed,
+   * and surfaces too unless forces move them. */
+  void (*linear)(const void* storage, const scree_boundary_step* step, const scree_linear_walls* walls);
 } scree_boundary;
 
 #ifdef __cplusplus

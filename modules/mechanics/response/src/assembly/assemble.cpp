@@ -56,7 +56,8 @@ std::vector<bool> held_bodies(const std::vector<ContactTerms>& contacts, const P
 WallEquations equations_of_walls(const Simulation& simulation, const AssemblyOptions& options) {
   WallEquations equations = simulation.linear_walls();
   if (options.hold_walls)
-    for (scree_linear_plane& wall : equations.walls) wall.free = 0;
+    for (scree_linear_wall& wall : equations.walls) wall.free = SCREE_PRESCRIBED;
+  check_equations(simulation, equations);
   return equations;
 }
 
@@ -70,7 +71,7 @@ DegreesOfFreedom number_motions(const std::vector<ContactTerms>& contacts, const
   for (const ContactTerms& c : contacts) {
     if (!counts(c, held)) continue;
     const std::size_t wall = c.b - held.size();
-    if (c.b >= held.size()) moved[wall] = equations.walls[wall].free != 0;
+    if (c.b >= held.size()) moved[wall] = equations.walls[wall].free == SCREE_FREE;
     if (!c.tangential) continue;
     rotates[c.a] = true;
     if (c.b < held.size()) rotates[c.b] = true;

@@ -15,8 +15,7 @@ Block ContactGeometry::crossing(const Eigen::Vector3d& v) const {
 
 Block ContactGeometry::turning_of_lever(double arm, const Eigen::Vector3d& force) const {
   const Eigen::VectorXd n = normal.head(dimension), f = force.head(dimension);
-  const Eigen::MatrixXd across = Eigen::MatrixXd::Identity(dimension, dimension) - n * n.transpose();
-  Block change = -arm * inverse_distance * crossing(force).transpose() * across;
+  Block change = -arm * crossing(force).transpose() * normal_change.topLeftCorner(dimension, dimension);
   if (arms_change) change += 0.5 * crossing(normal).transpose() * f * n.transpose();
   return change;
 }

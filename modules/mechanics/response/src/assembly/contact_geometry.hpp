@@ -21,9 +21,9 @@ struct SlipDerivative {
 struct ContactGeometry {
   int dimension, spins;
   Eigen::Vector3d normal;
-  double arm_a, arm_b;      // (m)
-  double inverse_distance;  // (1/m) 0 for a wall
-  bool arms_change;         // arms end at the contact point, which moves with half the overlap
+  double arm_a, arm_b;            // (m)
+  Eigen::Matrix3d normal_change;  // (1/m) derivative of the normal by u
+  bool arms_change;               // arms end at the contact point, which moves with half the overlap
 
   // Derivatives of force (D, ...) and couple (S, ...) on a by the motion of the contact.
   struct Motion {

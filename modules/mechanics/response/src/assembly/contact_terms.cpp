@@ -3,6 +3,7 @@
 #include "assembly/pair_at_rest.hpp"
 
 #include <algorithm>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,8 @@
 #include <scree/contact_jacobian.hpp>
 #include <scree/error.hpp>
 #include <scree/plugin/great_circle.hpp>
-#include <scree/scene_checks.hpp>
+#include <scree/surface_place.hpp>
+#include <scree/wall_surfaces.hpp>
 
 namespace scree::response {
 
@@ -48,11 +50,16 @@ ConfiguredLaw differentiable(const Scene::Law& law, int dimension) {
   return configured;
 }
 
+void check_equations(const Simulation& simulation, const WallEquations& equations) {
+  for (std::size_t w = 0; w < equations.walls.size(); ++w)
+    if (equations.walls[w].free == SCREE_NO_EQUATION)
+      throw Error(fmt::format(
+          "wall {} turns, or is turned by torques, and here walls move along one direction at most; give it "
+          "spin_control = \"fixed\", or measure with a pulse or a sweep",
+          simulation.wall_name(w)));
+}
+
 void check_laws(const Scene& scene, LawsNeeded needed) {
-  if (const std::vector<std::string> surfaces = surface_names(scene); !surfaces.empty())
-    throw Error(fmt::format(
-        "surface '{}' has no derivatives, from which a linear response follows; use planes, or measure with a pulse or a sweep",
-        surfaces[0]));
   std::size_t without = 0;
   for (const Scene::Law& law : scene.laws) try {
       differentiable(law, scene.dimension);
@@ -81,18 +88,18 @@ class LawContacts {
 
   void append_terms(std::vector<ContactTerms>& terms) const {
     ContactColumns columns(contacts_.size());
-    std::vector<double> inverse_distance((contacts_.size() / SCREE_LANES + 1) * SCREE_LANES, 0.0);
+    std::vector<PairVariation> variations((contacts_.size() / SCREE_LANES + 1) * SCREE_LANES);
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       fill(columns, i);
-      inverse_distance[i] = geometry(contacts_[i]).inverse_distance;
+      variations[i] = pair(contacts_[i]).change;
     }
     ContactColumns at_rest = columns;
     at_rest.evaluate(law_, simulation_.step_length());
     columns = at_side_of_limit(columns, at_rest);
 
-    std::vector<double> jacobian = jacobians(columns, inverse_distance, 0);
-    const std::vector<bool> one_way = take_means(columns, inverse_distance, jacobian);
-    const std::vector<double> turning = jacobian_of_integrated_spins(columns, inverse_distance, jacobian);
+    std::vector<double> jacobian = jacobians(columns, variations, 0);
+    const std::vector<bool> one_way = take_means(columns, variations, jacobian);
+    const std::vector<double> turning = jacobian_of_integrated_spins(columns, variations, jacobian);
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       const std::size_t c = contacts_[i];
       const Vec3 force = at_rest.output_vector(SCREE_FORCE, i);
@@ -100,7 +107,7 @@ class LawContacts {
       const ContactGeometry contact = geometry(c);
       terms.push_back(
           {list_.a[c], list_.b[c], c, law_.instance().tangential != 0 || law_.instance().writes_couple != 0,
-           bool(list_.sliding[c]), one_way[i], false, f,
+           bool(list_.sliding[c]), one_way[i], false, f, contact.normal_change,
            contact.of_bodies(contact.displacements(jacobian_, jacobian.data(), i), f),
            contact.of_bodies(contact.velocities(jacobian_, jacobian.data(), i), Eigen::Vector3d::Zero())});
       if (turning.empty()) continue;
@@ -148,19 +155,19 @@ class LawContacts {
   }
 
   // Jacobians with all contacts deeper by a share of their overlap.
-  std::vector<double> jacobians(ContactColumns columns, const std::vector<double>& inverse_distance,
+  std::vector<double> jacobians(ContactColumns columns, std::span<const PairVariation> variations,
                                 double share) const {
     for (std::size_t i = 0; i < contacts_.size(); ++i) columns.input(SCREE_OVERLAP, 0, i) *= 1 + share;
-    return jacobians_in(step_, columns, inverse_distance);
+    return jacobians_in(step_, columns, variations);
   }
   std::vector<double> jacobians_in(double step, ContactColumns& columns,
-                                   const std::vector<double>& inverse_distance) const {
+                                   std::span<const PairVariation> variations) const {
     std::vector<double> all;
-    jacobian_.evaluate(columns.batch(step), inverse_distance.data(), all);
+    jacobian_.evaluate(columns.batch(step), variations, all);
     const double of_run = simulation_.step_length();
     if (step == of_run || !law_.instance().writes_couple || !reads_spins()) return all;
     std::vector<double> rolling;
-    jacobian_.evaluate(columns.batch(of_run), inverse_distance.data(), rolling);
+    jacobian_.evaluate(columns.batch(of_run), variations, rolling);
     for (std::size_t i = 0; i < contacts_.size(); ++i) keep_rolling(rolling, i, all);
     return all;
   }
@@ -181,22 +188,22 @@ class LawContacts {
   // Growth of the Jacobians with the step (1/s); empty if the law reads no spins. The derivatives of a law
   // that adds spin × step to its spring grow with the step: they are a stiffness, not a dashpot.
   std::vector<double> jacobian_of_integrated_spins(ContactColumns& columns,
-                                                   const std::vector<double>& inverse_distance,
+                                                   std::span<const PairVariation> variations,
                                                    const std::vector<double>& jacobian) const {
     if (!reads_spins()) return {};
-    std::vector<double> growth = jacobians_in(2 * step_, columns, inverse_distance);
+    std::vector<double> growth = jacobians_in(2 * step_, columns, variations);
     for (std::size_t k = 0; k < growth.size(); ++k) growth[k] = (growth[k] - jacobian[k]) / step_;
     return growth;
   }
 
   // Laws that remember how deep a contact was may have one derivative for loading and one for unloading.
   // Where these differ, their mean replaces the one that round-off has chosen. Returns for which contacts.
-  std::vector<bool> take_means(const ContactColumns& columns, const std::vector<double>& inverse_distance,
+  std::vector<bool> take_means(const ContactColumns& columns, std::span<const PairVariation> variations,
                                std::vector<double>& jacobian) const {
     std::vector<bool> differ(contacts_.size(), false);
     if (law_.instance().history_width == 0) return differ;
-    const std::vector<double> loading = jacobians(columns, inverse_distance, depth),
-                              unloading = jacobians(columns, inverse_distance, -depth);
+    const std::vector<double> loading = jacobians(columns, variations, depth),
+                              unloading = jacobians(columns, variations, -depth);
     const Eigen::Index size = jacobian_.rows() * jacobian_.columns();
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       const auto of = [&](const std::vector<double>& all) {
@@ -216,11 +223,20 @@ class LawContacts {
     PairAtRest pair(p, list_.a[c], list_.b[c]);
     pair.distance = pair.radius_a + pair.radius_b - list_.overlap[c];
     pair.normal = {{list_.normal[3 * c], list_.normal[3 * c + 1], list_.normal[3 * c + 2]}};
-    pair.separation = pair.to_wall() ? from_wall(pair) : pair.distance * pair.normal;
+    const std::size_t planes = simulation_.planes().size();
+    if (!pair.to_wall()) {
+      pair.separation = pair.distance * pair.normal;
+      pair.change = PairVariation::of_bodies(pair.normal, pair.distance);
+    } else if (pair.b - p.size() < planes) {
+      pair.separation = from_plane(pair);
+    } else {
+      const BodyAtSurface body = at_surface(pair, pair.b - p.size() - planes);
+      pair.set_at_surface(place_towards(simulation_.surfaces(), body, pair.direction()), body.from_origin);
+    }
     return pair;
   }
   // As SCREE_SEPARATION.
-  Vec3 from_wall(const PairAtRest& pair) const {
+  Vec3 from_plane(const PairAtRest& pair) const {
     const Particles& p = simulation_.particles();
     const Domain& domain = simulation_.domain();
     Vec3 from = {};
@@ -229,6 +245,14 @@ class LawContacts {
       from[k] = p.position()[k][pair.a] - simulation_.planes()[pair.b - p.size()].point[k] + crossed;
     }
     return from;
+  }
+  // Surfaces have no periodic images.
+  BodyAtSurface at_surface(const PairAtRest& pair, std::size_t surface) const {
+    const Particles& p = simulation_.particles();
+    BodyAtSurface body = {surface, p.dimension(), {}, pair.radius_a};
+    for (int k = 0; k < p.dimension(); ++k)
+      body.from_origin[k] = p.position()[k][pair.a] - simulation_.surfaces().frames[surface].position[k];
+    return body;
   }
   ContactGeometry geometry(std::size_t c) const {
     return pair(c).geometry(simulation_.dimension(), spins_, scree_arms(law_.instance().arms));

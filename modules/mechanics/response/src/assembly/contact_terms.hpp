@@ -8,6 +8,7 @@
 #include <scree/plugin_host.hpp>
 #include <scree/response/linear_system.hpp>
 #include <scree/simulation.hpp>
+#include <scree/wall_equations.hpp>
 
 namespace scree::response {
 
@@ -17,19 +18,23 @@ using Block = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMa
 // A linearised contact: negative derivatives of forces and torques by the displacements and velocities of its
 // two bodies. Rows and columns: translations and rotations of a, then of b.
 struct ContactTerms {
-  std::uint32_t a, b;     // as in ContactList
-  std::size_t contact;    // index into it
-  bool tangential;        // the law exerts tangential forces or couples
-  bool sliding;           // in the last step
-  bool one_way;           // the stiffness differs in loading and unloading; `stiffness` is the mean
-  bool integrates_spin;   // the law moves its spring by spin × step
-  Eigen::Vector3d force;  // on a (N), with both at rest
+  std::uint32_t a, b;             // as in ContactList
+  std::size_t contact;            // index into it
+  bool tangential;                // the law exerts tangential forces or couples
+  bool sliding;                   // in the last step
+  bool one_way;                   // the stiffness differs in loading and unloading; `stiffness` is the mean
+  bool integrates_spin;           // the law moves its spring by spin × step
+  Eigen::Vector3d force;          // on a (N), with both at rest
+  Eigen::Matrix3d normal_change;  // (1/m) derivative of the normal by u_a − u_b
   Block stiffness, damping;
 };
 
 // spins: number of rotations of a body, 0, 1 or 3. Throws Error as `assemble` does.
 std::vector<ContactTerms> linearise_contacts(const Simulation& simulation, int spins, AtLimit at_limit,
                                              TimeStep time_step = TimeStep::limit);
+
+// Throws Error if a wall moves in a way that no equation has.
+void check_equations(const Simulation& simulation, const WallEquations& equations);
 
 // The configured law. Throws Error if it has no derivatives.
 ConfiguredLaw differentiable(const Scene::Law& law, int dimension);

@@ -2,11 +2,33 @@
 
 namespace scree::response {
 
+Eigen::Matrix3d matrix_of(const Matrix3& rows) {
+  Eigen::Matrix3d matrix;
+  for (int k = 0; k < 3; ++k)
+    for (int l = 0; l < 3; ++l) matrix(k, l) = rows[std::size_t(k)][l];
+  return matrix;
+}
+
 PairAtRest::PairAtRest(const Particles& particles, std::uint32_t first, std::uint32_t second)
     : a(first),
       b(second),
       radius_a(particles.radius()[first]),
-      radius_b(second < particles.size() ? particles.radius()[second] : 0) {}
+      radius_b(second < particles.size() ? particles.radius()[second] : 0),
+      effective_radius(scree::effective_radius(radius_a, radius_b, to_wall())) {}
+
+void PairAtRest::set_between_bodies(const Vec3& between) {
+  separation = between;
+  const PairDirection<3> direction = direction_between(between);
+  normal = direction.normal, distance = direction.distance;
+  change = PairVariation::of_bodies(normal, distance);
+}
+
+void PairAtRest::set_at_surface(const SurfacePlace& place, const Vec3& from_origin) {
+  separation = from_origin;
+  normal = place.direction.normal, distance = place.direction.distance;
+  effective_radius = place.effective_radius;
+  change = place.change;
+}
 
 Levers PairAtRest::lever_arms(scree_arms arms, double at_distance) const {
   return with_kind([&](auto plane) -> Levers {
@@ -23,7 +45,7 @@ ContactGeometry PairAtRest::geometry(int dimension, int spins, scree_arms arms) 
           .normal = Eigen::Map<const Eigen::Vector3d>(normal.component),
           .arm_a = levers.a,
           .arm_b = levers.b,
-          .inverse_distance = to_wall() ? 0 : 1 / distance,
+          .normal_change = matrix_of(change.normal),
           .arms_change = arms == SCREE_ARM_CONTACT_POINT};
 }
 
@@ -34,7 +56,7 @@ void PairAtRest::set_inputs(const Particles& particles, const Orientations& orie
   columns.input(SCREE_REDUCED_MASS, 0, i) =
       to_wall() ? reduced_mass(particles.inverse_mass_at_wall(a), 0)
                 : reduced_mass(particles.inverse_mass()[a], particles.inverse_mass()[b]);
-  columns.input(SCREE_EFFECTIVE_RADIUS, 0, i) = effective_radius(radius_a, radius_b, to_wall());
+  columns.input(SCREE_EFFECTIVE_RADIUS, 0, i) = effective_radius;
   columns.input(SCREE_RADII, 0, i) = radius_a;
   columns.input(SCREE_RADII, 1, i) = radius_b;
   columns.set(SCREE_SEPARATION, separation, i);

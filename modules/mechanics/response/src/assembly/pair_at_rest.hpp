@@ -9,21 +9,30 @@
 #include <scree/contact_kinematics.hpp>
 #include <scree/orientations.hpp>
 #include <scree/particles.hpp>
+#include <scree/surface_place.hpp>
 
 namespace scree::response {
 
 // Distances from the centres to the point where the force of a pair acts (m); 0 for a wall.
 using Levers = LeverArms<false>;
 
+Eigen::Matrix3d matrix_of(const Matrix3& rows);
+
 // A pair of bodies, or of a body and a wall, and where it is.
 struct PairAtRest {
   std::uint32_t a, b;         // as in ContactList
   double radius_a, radius_b;  // (m); of a wall 0
+  double effective_radius;    // (m)
   double distance;            // (m) between centres, or from centre to wall
   Vec3 normal, separation;    // as SCREE_NORMAL, SCREE_SEPARATION (m)
+  PairVariation change;
 
-  // Radii from the particles.
+  // Radii from the particles; effective radius of bodies or a plane.
   PairAtRest(const Particles& particles, std::uint32_t a, std::uint32_t b);
+  // Two bodies by their separation.
+  void set_between_bodies(const Vec3& between);
+  // A body at a surface, by its centre from the origin of the frame of the surface.
+  void set_at_surface(const SurfacePlace& place, const Vec3& from_origin);
 
   bool to_wall() const { return !(radius_b > 0); }
   double radius_sum() const { return radius_a + radius_b; }

@@ -30,7 +30,7 @@ DegreesOfFreedom all_motions(const Simulation& simulation, int spins, const Wall
   std::vector<bool> bodies(p.size());
   for (std::size_t i = 0; i < p.size(); ++i) bodies[i] = !p.is_fixed(i);
   std::vector<bool> free;
-  for (const scree_linear_plane& wall : walls.walls) free.push_back(wall.free != 0);
+  for (const scree_linear_wall& wall : walls.walls) free.push_back(wall.free == SCREE_FREE);
   return DegreesOfFreedom(simulation.dimension(), spins, bodies, std::vector<bool>(bodies.size(), spins > 0),
                           free, held_components(p));
 }
@@ -217,7 +217,7 @@ Equilibrium::Vector Equilibrium::step_for(const Vector& residual) const {
 
 double Equilibrium::largest_force(const WallEquations& walls) const {
   double largest = contacts_.largest_force();
-  for (const scree_linear_plane& wall : walls.walls)
+  for (const scree_linear_wall& wall : walls.walls)
     largest = std::max(largest, std::abs(wall.pressing_force));
   return largest;
 }

@@ -25,17 +25,42 @@ PairPlace::PairPlace(const Simulation& simulation, const StaticPair& pair, const
       motion{all.displacement[pair.a] - all.displacement[pair.b], all.rotation[pair.a],
              all.rotation[pair.b]} {
   separation = after.position[pair.a] - after.position[pair.b] + pair.shift;
-  if (to_wall()) {
-    const scree_plane& plane = simulation.planes()[pair.b - simulation.particles().size()];
-    for (int k = 0; k < 3; ++k) normal[k] = plane.normal[k];
-    distance = distance_from_plane(separation, normal);
-  } else {
-    const PairDirection<3> between = direction_between(separation);
-    normal = between.normal, distance = between.distance;
-  }
-  middle = with_kind([&](auto plane) {
-    return mid_step_direction<plane.value>(direction(), separation, motion.velocity, 1);
-  });
+  const std::size_t wall = pair.b - simulation.particles().size(), planes = simulation.planes().size();
+  if (!to_wall())
+    set_between();
+  else if (wall < planes)
+    set_at_plane(simulation.planes()[wall]);
+  else
+    set_at_surface(simulation.surfaces(), wall - planes, simulation.dimension());
+}
+
+void PairPlace::set_between() {
+  set_between_bodies(separation);
+  middle = mid_step_direction<false>(direction(), separation, motion.velocity, 1);
+  middle_change = PairVariation::of_bodies(middle.normal, middle.distance).normal;
+  middle_distance_change = 0.5 * middle.normal;
+}
+
+void PairPlace::set_at_plane(const scree_plane& plane) {
+  for (int k = 0; k < 3; ++k) normal[k] = plane.normal[k];
+  distance = distance_from_plane(separation, normal);
+  middle = mid_step_direction<true>(direction(), separation, motion.velocity, 1);
+  middle_change = {};
+  middle_distance_change = 0.5 * normal;
+}
+
+void PairPlace::set_at_surface(const WallSurfaces& all, std::size_t surface, int dimension) {
+  const BodyAtSurface end = {surface, dimension, separation, radius_a};
+  BodyAtSurface half_way = end;
+  half_way.from_origin -= 0.5 * motion.velocity;
+  PairAtRest::set_at_surface(nearest_place(all, end), separation);
+  const SurfacePlace there = nearest_place(all, half_way);
+  middle_change = there.change.normal;
+  // As the kernel has it: the distance at the end less the way since the middle.
+  const Vec3 half = 0.5 * motion.velocity;
+  middle = mid_step_direction<true>({there.direction.normal, distance}, separation, motion.velocity, 1);
+  middle_distance_change = normal - 0.5 * middle.normal;
+  for (int k = 0; k < 3; ++k) middle_distance_change -= 0.5 * half[k] * middle_change[std::size_t(k)];
 }
 
 Vec3 PairPlace::slip(const PairDirection<3>& at, scree_arms arms) const {
@@ -53,26 +78,24 @@ Vec3 PairPlace::tangential_increment(scree_arms arms) const {
 }
 
 // The derivative of the increment t = τ (1 − n nᵀ) s with s = u + n × w and w = l_a θ_a + l_b θ_b. n and l
-// are taken in the middle of the increment, by which the centres have moved half as far: n changes by (1 − n
-// nᵀ) u/(2d) and l by n·u/4. A pair that begins to touch, and approaches by a, touches for the share τ = δ/a.
+// are taken in the middle of the increment, by which the centres have moved half as far: n changes by half of
+// its derivative times u, and l by half of the change of the distance, n·u/2 of bodies. A pair that begins to touch, and approaches by a, touches for the share τ = δ/a.
 SlipDerivative PairPlace::slip_derivative(scree_arms arms) const {
   const Eigen::Vector3d n = vector(middle.normal), end = vector(normal), s = vector(slip(middle, arms));
   const Levers arm = lever_arms(arms, middle.distance);
-  const double share = touched(), arm_change = arms == SCREE_ARM_CONTACT_POINT ? 0.25 : 0;
+  const double share = touched(), arm_change = arms == SCREE_ARM_CONTACT_POINT ? 0.5 : 0;
   const Eigen::Vector3d rotation_a = vector(motion.spin_a),
                         rotation_b = to_wall() ? Eigen::Vector3d(0, 0, 0) : vector(motion.spin_b);
   const Eigen::Matrix3d project = across(n);
-  const Eigen::Matrix3d turn =
-      to_wall() ? Eigen::Matrix3d::Zero() : Eigen::Matrix3d(project / (2 * middle.distance));
-  Eigen::Matrix3d displaced = Eigen::Matrix3d::Identity() -
-                              crossing(arm.a * rotation_a + arm.b * rotation_b) * turn +
-                              arm_change * n.cross(rotation_a + rotation_b) * n.transpose();
+  const Eigen::Matrix3d turn = 0.5 * matrix_of(middle_change);
+  Eigen::Matrix3d displaced =
+      Eigen::Matrix3d::Identity() - crossing(arm.a * rotation_a + arm.b * rotation_b) * turn +
+      arm_change * n.cross(rotation_a + rotation_b) * vector(middle_distance_change).transpose();
   Eigen::Matrix3d by_displacement =
       share * (project * displaced - (n.dot(s) * Eigen::Matrix3d::Identity() + n * s.transpose()) * turn);
   if (share < 1) {
     const Eigen::Vector3d moves = vector(motion.velocity);
-    const Eigen::Vector3d approaching =
-        to_wall() ? end : Eigen::Vector3d(end + across(end) * moves / distance);
+    const Eigen::Vector3d approaching = end + matrix_of(change.normal) * moves;
     by_displacement += project * s * (share * approaching - end).transpose() / approach();
   }
   const Eigen::Matrix3d by_turning = share * project * crossing(n);

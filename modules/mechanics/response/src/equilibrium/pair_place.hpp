@@ -26,6 +26,9 @@ struct PairState {
 struct PairPlace : PairAtRest {
   PairStep<3> motion;       // displacement of a's centre relative to b's (m), rotations (rad)
   PairDirection<3> middle;  // in the middle of the increment
+  // Derivatives of the middle by the place of a there (1/m), at the end (1).
+  Matrix3 middle_change;
+  Vec3 middle_distance_change;
 
   PairPlace(const Simulation& simulation, const StaticPair& pair, const StaticConfiguration& after,
             const StaticMotion& motion);
@@ -40,6 +43,9 @@ struct PairPlace : PairAtRest {
   double approach() const { return -dot(motion.velocity, normal); }
   // Share of the increment during which the pair touches.
   double touched() const { return touched_share(overlap(), approach()); }
+  void set_between();
+  void set_at_plane(const scree_plane& plane);
+  void set_at_surface(const WallSurfaces& all, std::size_t surface, int dimension);
   Vec3 slip(const PairDirection<3>& at, scree_arms arms) const;
 };
 

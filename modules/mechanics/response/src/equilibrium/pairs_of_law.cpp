@@ -76,8 +76,11 @@ void PairsOfLaw::add_loads(std::size_t i, StaticLoads& loads) {
   const Vec3 lever = cross(Vec3{{geometry.normal[0], geometry.normal[1], geometry.normal[2]}}, force);
   loads.force[pair.a] += force;
   loads.force[pair.b] += -1.0 * force;
-  loads.torque[pair.a] += couple - geometry.arm_a * lever;
-  loads.torque[pair.b] += -1.0 * couple - geometry.arm_b * lever;
+  const Vec3 torque = couple - geometry.arm_a * lever;
+  loads.torque[pair.a] += torque;
+  // On a wall about its point.
+  loads.torque[pair.b] +=
+      places_[i].to_wall() ? -torque - cross(places_[i].separation, force) : -couple - geometry.arm_b * lever;
   largest_force_ = std::max(largest_force_, norm(force));
 }
 
@@ -117,12 +120,13 @@ void PairsOfLaw::evaluate(const StaticConfiguration& after, const StaticMotion& 
 }
 
 void PairsOfLaw::add_stiffness(Entries& stiffness) {
-  std::vector<double> inverse_distance((pairs_.size() / SCREE_LANES + 1) * SCREE_LANES, 0.0), jacobian;
+  std::vector<PairVariation> variations((pairs_.size() / SCREE_LANES + 1) * SCREE_LANES);
+  std::vector<double> jacobian;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    inverse_distance[i] = geometries_[i].inverse_distance;
+    variations[i] = places_[i].change;
     for (std::uint32_t k = 0; k < width(); ++k) columns_->history(k, i) = history_[i * width() + k];
   }
-  jacobian_.evaluate(columns_->batch(duration), inverse_distance.data(), jacobian);
+  jacobian_.evaluate(columns_->batch(duration), variations, jacobian);
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     if (!touches(i)) continue;
     const ContactGeometry& of = geometries_[i];

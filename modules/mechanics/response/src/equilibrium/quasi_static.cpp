@@ -24,15 +24,30 @@ constexpr int most_events_located = 16;
 
 }  // namespace
 
+namespace {
+
+void check_surfaces(const Simulation& simulation, const WallEquations& equations) {
+  for (std::size_t w = simulation.planes().size(); w < equations.walls.size(); ++w)
+    if (equations.walls[w].free == SCREE_FREE)
+      throw Error(fmt::format(
+          "surface {} is moved by forces, and a quasi-static load is that of planes; press with a plane, and set "
+          "its control to \"fixed\"",
+          simulation.wall_name(w)));
+}
+
+}  // namespace
+
 std::vector<double> loads_of_walls(const Simulation& simulation, double time) {
   const WallEquations equations = simulation.linear_walls(time, simulation.planes());
+  check_equations(simulation, equations);
+  check_surfaces(simulation, equations);
   std::vector<double> loads;
   for (std::size_t w = 0; w < equations.walls.size(); ++w) {
-    const scree_linear_plane& wall = equations.walls[w];
+    const scree_linear_wall& wall = equations.walls[w];
     if (wall.speed != 0)
       throw Error(fmt::format(
           "wall {} is moved with {:g} m/s at t = {:g} s; set its control to \"stress\" or \"force\": a quasi-static load is by these",
-          simulation.plane_names()[w], wall.speed, time));
+          simulation.wall_name(w), wall.speed, time));
     loads.push_back(wall.pressing_force);
   }
   return loads;
@@ -94,8 +109,9 @@ class QuasiStatic::Packing {
     const std::vector<scree_load> on_walls = wall_loads();
     return simulation_.state_at_rest({.time = time_,
                                       .bodies = places.first(bodies()),
-                                      .planes = places.subspan(bodies()),
+                                      .planes = places.subspan(bodies(), simulation_.planes().size()),
                                       .loads = on_walls,
+                                      .surface_loads = surface_loads(),
                                       .orientations = configuration_.orientations,
                                       .contacts = equilibrium_.contacts().touching()});
   }
@@ -106,6 +122,14 @@ class QuasiStatic::Packing {
     for (std::size_t w = 0; w < simulation_.planes().size(); ++w) {
       const Vec3& force = loads_.force[bodies() + w];
       all.push_back({force[0], force[1], force[2]});
+    }
+    return all;
+  }
+  std::vector<scree_frame_load> surface_loads() const {
+    std::vector<scree_frame_load> all;
+    for (std::size_t w = bodies() + simulation_.planes().size(); w < loads_.force.size(); ++w) {
+      const Vec3 &force = loads_.force[w], &torque = loads_.torque[w];
+      all.push_back({{force[0], force[1], force[2]}, {torque[0], torque[1], torque[2]}});
     }
     return all;
   }

@@ -1,5 +1,7 @@
 #include "equilibrium/static_configuration.hpp"
 
+#include <scree/wall_surfaces.hpp>
+
 namespace scree::response {
 
 StaticMotion::StaticMotion(const Eigen::VectorXd& q, const DegreesOfFreedom& freedom,
@@ -34,11 +36,13 @@ StaticConfiguration::StaticConfiguration(const Simulation& simulation)
     for (int k = 0; k < p.dimension(); ++k) x[k] = plane.point[k];
     position.push_back(x);
   }
+  for (const scree_frame& frame : simulation.surfaces().frames)
+    position.push_back({{frame.position[0], frame.position[1], frame.position[2]}});
 }
 
 std::vector<scree_plane> StaticConfiguration::planes(const Simulation& simulation) const {
   std::vector<scree_plane> all = simulation.planes();
-  const std::size_t bodies = position.size() - all.size();
+  const std::size_t bodies = simulation.particles().size();
   for (std::size_t w = 0; w < all.size(); ++w)
     for (int k = 0; k < 3; ++k) {
       all[w].point[k] = position[bodies + w][k];

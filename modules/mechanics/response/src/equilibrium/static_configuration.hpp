@@ -19,7 +19,7 @@ struct StaticMotion {
 
 // The places of the bodies, then of the walls.
 struct StaticConfiguration {
-  std::vector<Vec3> position;  // (m) centres without jumps at periodic faces; points of walls
+  std::vector<Vec3> position;  // (m) centres without jumps at periodic faces; points of planes and surfaces
   Orientations orientations;   // if a law reads them
 
   explicit StaticConfiguration(const Simulation& simulation);

@@ -3,7 +3,32 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
+#include <scree/error.hpp>
+#include <scree/surface_place.hpp>
+#include <scree/wall_surfaces.hpp>
+
 namespace scree::response {
+
+namespace {
+
+// Numbers of the surfaces that exert forces. Throws Error for a mesh.
+std::vector<std::uint32_t> present_surfaces(const Simulation& simulation) {
+  const WallSurfaces& surfaces = simulation.surfaces();
+  std::vector<std::uint32_t> present;
+  for (std::uint32_t s = 0; s < surfaces.size(); ++s) {
+    if (simulation.absent_walls()[simulation.planes().size() + s]) continue;
+    if (surfaces.meshes[s])
+      throw Error(fmt::format(
+          "surface {} is a mesh, which a quasi-static load does not know; use planes, cylinders and other exact shapes",
+          surfaces.names[s]));
+    present.push_back(s);
+  }
+  return present;
+}
+
+}  // namespace
 
 StaticContacts::StaticContacts(const Simulation& simulation, int spins) : simulation_(simulation) {
   for (std::uint32_t law = 0; law < simulation.scene().laws.size(); ++law)
@@ -43,7 +68,9 @@ void StaticContacts::find_pairs(const StaticConfiguration& at, double gap) {
     if (simulation_.scene().laws[law].parameters.absent()) return;
     pairs[law].push_back({a, b, shift});
   };
-  const std::vector<NeighbourPair>& near = search_.find(spheres(at), p.dimension(), domain, gap, threads_);
+  const std::vector<Sphere> wrapped = spheres(at);
+  const std::vector<std::uint32_t> surfaces = present_surfaces(simulation_);
+  const std::vector<NeighbourPair>& near = search_.find(wrapped, p.dimension(), domain, gap, threads_);
   auto next = near.begin();
   for (std::uint32_t a = 0; a < p.size(); ++a) {
     for (; next != near.end() && next->a == a; ++next) {
@@ -62,6 +89,16 @@ void StaticContacts::find_pairs(const StaticConfiguration& at, double gap) {
       double distance = 0;
       for (int k = 0; k < p.dimension(); ++k) distance += apart[k] * simulation_.planes()[w].normal[k];
       if (distance <= p.radius()[a] + gap) add(a, b, simulation_.plane_materials()[w], {});
+    }
+    for (const std::uint32_t s : surfaces) {
+      const auto b = std::uint32_t(p.size() + simulation_.planes().size() + s);
+      // Surfaces have no periodic images.
+      const Vec3 shift = wrapped[a].position - at.position[a];
+      const Vec3 from_origin = at.position[a] - at.position[b] + shift;
+      const SurfacePlace place =
+          nearest_place(simulation_.surfaces(), {s, p.dimension(), from_origin, p.radius()[a]});
+      if (place.direction.distance <= p.radius()[a] + gap)
+        add(a, b, simulation_.surfaces().materials[s], shift);
     }
   }
   for (std::size_t law = 0; law < laws_.size(); ++law) laws_[law]->set_pairs(std::move(pairs[law]));
@@ -103,7 +140,8 @@ std::size_t StaticContacts::count(PairStatus status) const {
 }
 
 std::vector<bool> StaticContacts::touched() const {
-  std::vector<bool> touched(simulation_.particles().size() + simulation_.planes().size());
+  std::vector<bool> touched(simulation_.particles().size() + simulation_.planes().size() +
+                            simulation_.surfaces().size());
   for (const auto& law : laws_) law->mark_touched(touched);
   return touched;
 }

@@ -1,4 +1,5 @@
 #include "packings.hpp"
+#include "surface_beds.hpp"
 
 #include <cmath>
 #include <memory>
@@ -71,6 +72,19 @@ TEST_CASE("the stiffness matrix is the derivative of the forces of the kernel", 
     CHECK(error_of_stiffness(test::heap(2, disc_values, law)) < 1e-8);
   }
   CHECK(error_of_stiffness(test::heap(3, spring_values, "sphere_path_independent")) < 1e-8);
+}
+
+// As above. Bodies meet one surface each, on faces, edges and corners.
+TEST_CASE("the stiffness matrix of bodies on surfaces is the derivative of the forces of the kernel",
+          "[response][surfaces]") {
+  for (const int dimension : {2, 3}) {
+    CAPTURE(dimension);
+    const Scene springs = test::surface_beds(dimension, spring_values, "linear_spring_dashpot");
+    CHECK(Simulation(springs).contact_list().size() == springs.bodies.size());
+    CHECK(error_of_stiffness(springs) < 1e-8);
+  }
+  for (const double history : {0, 2})
+    CHECK(error_of_stiffness(test::surface_beds(3, hertz(history), "hertz_mindlin")) < 1e-8);
 }
 
 // Central differences have the mean of both stiffnesses, up to the difference of their second derivatives:

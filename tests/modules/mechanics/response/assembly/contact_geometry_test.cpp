@@ -12,7 +12,8 @@ using namespace scree::response;
 
 TEST_CASE("the matrix of a cross product has the spins of the dimension", "[response]") {
   const Eigen::Vector3d v(1, -2, 3), turn(0.3, 0.5, -0.7);
-  const ContactGeometry solid{3, 3, v, 1, 1, 1, false}, plane{2, 1, v, 1, 1, 1, false};
+  const Eigen::Matrix3d change = Eigen::Matrix3d::Zero();
+  const ContactGeometry solid{3, 3, v, 1, 1, change, false}, plane{2, 1, v, 1, 1, change, false};
   CHECK((Eigen::Vector3d(solid.crossing(v) * turn) - v.cross(turn)).norm() < 1e-15);
   const Eigen::Vector2d in_plane = plane.crossing(v) * turn.tail(1);
   CHECK((in_plane - v.cross(Eigen::Vector3d(0, 0, turn[2])).head(2)).norm() < 1e-15);

@@ -16,7 +16,7 @@ TEST_CASE("a pair has the levers and inputs of its radii and masses", "[response
   const Simulation simulation(scene);
   const Particles& p = simulation.particles();
   PairAtRest pair(p, 0, 1), wall(p, 0, 2);
-  pair.distance = 1.5, pair.normal = {{-1, 0, 0}}, pair.separation = {{-1.5, 0, 0}};
+  pair.set_between_bodies({{-1.5, 0, 0}});
   wall.distance = 0.95, wall.normal = {{0, 1, 0}}, wall.separation = {{0, 0.95, 0}};
   CHECK_FALSE(pair.to_wall());
   CHECK(wall.to_wall());
@@ -29,8 +29,10 @@ TEST_CASE("a pair has the levers and inputs of its radii and masses", "[response
   CHECK(pair.lever_arms(SCREE_ARM_RADIUS).b == Approx(0.6));
   CHECK(wall.lever_arms(SCREE_ARM_CONTACT_POINT).a == Approx(0.975));
   CHECK(wall.lever_arms(SCREE_ARM_CONTACT_POINT).b == 0);
-  CHECK(pair.geometry(3, 3, SCREE_ARM_RADIUS).inverse_distance == Approx(1 / 1.5));
-  CHECK(wall.geometry(3, 3, SCREE_ARM_RADIUS).inverse_distance == 0);
+  CHECK(pair.distance == 1.5);
+  CHECK(pair.geometry(3, 3, SCREE_ARM_RADIUS).normal_change(1, 1) == Approx(1 / 1.5));
+  CHECK(pair.geometry(3, 3, SCREE_ARM_RADIUS).normal_change(0, 0) == 0);
+  CHECK(wall.geometry(3, 3, SCREE_ARM_RADIUS).normal_change.isZero(0));
 
   ContactColumns columns(2);
   pair.set_inputs(p, p.orientations, 0, columns, 0);

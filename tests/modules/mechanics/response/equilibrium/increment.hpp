@@ -2,9 +2,11 @@
 
 #include "equilibrium/static_contacts.hpp"
 #include "packings.hpp"
+#include "surface_beds.hpp"
 
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace scree::test {
@@ -13,6 +15,18 @@ using namespace response;
 
 inline constexpr double share = 0.02;  // of a radius, by which bodies move in a step
 
+inline Scene with_motions(Scene s) {
+  for (std::size_t i = 0; i < s.bodies.size(); ++i)
+    for (int k = 0; k < (s.dimension == 2 ? 3 : 6); ++k)
+      motion(s.bodies[i], s.dimension, k) = share * std::sin(1.0 + 2.3 * double(i) + 1.7 * k) / s.step;
+  return s;
+}
+
+// Bodies on surfaces, which are no meshes, that move by themselves.
+inline Scene moving_beds(int dimension, const std::string& plugin, const Values& law) {
+  return with_motions(surface_beds(dimension, law, plugin, false));
+}
+
 // A heap whose bodies move by themselves, and one that first touches it in the middle of the step.
 inline Scene moving_heap(int dimension, const std::string& plugin, const Values& law) {
   Scene s = heap(dimension, law, plugin);
@@ -20,9 +34,7 @@ inline Scene moving_heap(int dimension, const std::string& plugin, const Values&
   const double gap = 0.5 * share;
   s.bodies.push_back(
       body(9, 1, heavy, last + Vec3{{s.bodies.back().radius + 1 + gap, 0, 0}}, {}, {}, dimension));
-  for (std::size_t i = 0; i < s.bodies.size(); ++i)
-    for (int k = 0; k < (dimension == 2 ? 3 : 6); ++k)
-      motion(s.bodies[i], dimension, k) = share * std::sin(1.0 + 2.3 * double(i) + 1.7 * k) / s.step;
+  s = with_motions(std::move(s));
   s.bodies.back().velocity = s.bodies[s.bodies.size() - 2].velocity - Vec3{{2 * gap / s.step, 0, 0}};
   return s;
 }
@@ -38,7 +50,8 @@ struct Increment {
 
   explicit Increment(const Scene& scene)
       : simulation(scene),
-        freedom(scene.dimension, spins(), everybody(), everybody(), {false}),
+        freedom(scene.dimension, spins(), everybody(), everybody(),
+                std::vector<bool>(simulation.linear_walls().walls.size())),
         contacts(simulation, spins()),
         motion(freedom.size()),
         after(simulation) {

@@ -13,9 +13,11 @@ TEST_CASE("the stiffness after an increment is the derivative of its forces") {
                           {"tangential_stiffness", {1e4}},
                           {"tangential_damping", {0}},
                           {"static_friction", {slides ? 0.1 : 1e3}}};
+  const bool surfaces = GENERATE(true, false);
   for (const int dimension : {2, 3}) {
-    INFO(dimension << " dimensions");
-    Increment increment(moving_heap(dimension, "linear_spring_dashpot", springs));
+    INFO(dimension << " dimensions, surfaces: " << surfaces);
+    Increment increment(surfaces ? moving_beds(dimension, "linear_spring_dashpot", springs)
+                                 : moving_heap(dimension, "linear_spring_dashpot", springs));
     const DegreesOfFreedom& freedom = increment.freedom;
     Entries entries(freedom, WallEquations{});
     increment.evaluate(increment.motion);

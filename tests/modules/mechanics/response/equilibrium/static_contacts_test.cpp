@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <scree/wall_surfaces.hpp>
+
 namespace scree::test {
 
 namespace {
@@ -26,9 +28,15 @@ void check_step(const Scene& scene) {
     for (std::uint32_t k = 0; k < pair.numbers.size(); ++k)
       CHECK(pair.numbers[k] == Approx(s.contact_history(list.pair[c], k)).margin(1e-13));
   }
+  const auto equals = [](double x) { return Approx(x).epsilon(1e-10).margin(1e-8); };
   for (std::size_t i = 0; i < p.size(); ++i)
-    for (int k = 0; k < scene.dimension; ++k)
-      CHECK(loads.force[i][k] == Approx(p.force()[k][i]).epsilon(1e-10).margin(1e-8));
+    for (int k = 0; k < scene.dimension; ++k) CHECK(loads.force[i][k] == equals(p.force()[k][i]));
+  const std::size_t walls = p.size() + s.planes().size();
+  for (std::size_t i = 0; i < s.surfaces().size(); ++i)
+    for (int k = 0; k < 3; ++k) {
+      CHECK(loads.force[walls + i][k] == equals(s.surfaces().loads[i].force[k]));
+      CHECK(loads.torque[walls + i][k] == equals(s.surfaces().loads[i].torque[k]));
+    }
 }
 
 }  // namespace
@@ -43,6 +51,7 @@ TEST_CASE("an increment changes springs as a step of the kernel does") {
   for (const int dimension : {2, 3}) {
     INFO(dimension << " dimensions");
     check_step(moving_heap(dimension, "linear_spring_dashpot", springs));
+    check_step(moving_beds(dimension, "linear_spring_dashpot", springs));
   }
   check_step(moving_heap(3, "sphere_path_independent", springs));
   check_step(moving_heap(2, "disc_corrected",
@@ -50,9 +59,10 @@ TEST_CASE("an increment changes springs as a step of the kernel does") {
                           {"normal_damping", {0}},
                           {"tangential_stiffness", {1e3}},
                           {"friction", {0.5}}}));
-  check_step(moving_heap(
-      3, "hertz_mindlin",
-      {{"youngs_modulus", {1e5}}, {"poissons_ratio", {0.25}}, {"restitution", {1}}, {"friction", {0.5}}}));
+  const Values hertz_values = {
+      {"youngs_modulus", {1e5}}, {"poissons_ratio", {0.25}}, {"restitution", {1}}, {"friction", {0.5}}};
+  check_step(moving_heap(3, "hertz_mindlin", hertz_values));
+  check_step(moving_beds(3, "hertz_mindlin", hertz_values));
 }
 
 }  // namespace scree::test

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+
+#include <scree/contact_kinematics.hpp>
+#include <scree/pair_variation.hpp>
+#include <scree/wall_surfaces.hpp>
+
+namespace scree {
+
+// A body at a surface.
+struct SurfacePlace {
+  PairDirection<3> direction;  // unit normal from the surface to the body, distance of its centre (m)
+  double effective_radius;     // R* (m) of a Hertz contact
+  PairVariation change;        // while the body moves
+};
+
+// A body and one surface of all.
+struct BodyAtSurface {
+  std::size_t surface;
+  int dimension;
+  Vec3 from_origin;  // (m) its centre from the origin of the frame of the surface
+  double radius;     // (m)
+};
+// Where the surface, which is no mesh, is nearest to the body.
+SurfacePlace nearest_place(const WallSurfaces& all, const BodyAtSurface& body);
+// In a direction in which the body touches the surface, one of several on a mesh.
+SurfacePlace place_towards(const WallSurfaces& all, const BodyAtSurface& body,
+                           const PairDirection<3>& direction);
+
+}  // namespace scree
