@@ -4,7 +4,6 @@
 #include <iterator>
 #include <optional>
 
-#include <scree/plugin/formatted.hpp>
 #include <scree/plugin/probe.hpp>
 #include <scree/plugin/unit_vector.hpp>
 
@@ -25,9 +24,10 @@ struct SurfacesProbe {
       "—"};
 
   void declare(scree::Declaration& d) {
-    d.list("surfaces", numbers, "", scree::Range{.minimum = 1},
-           "surfaces to record, numbered from 1 in the order of the [[boundary]] entries; planes and boxes "
-           "do not count")
+    d.list(
+         "surfaces", numbers, "", scree::Range{.minimum = 1},
+         "surfaces to record, by name as \"drum\" or \"drum.mantle\", or numbered from 1 in the order of the "
+         "[[boundary]] entries, where planes and boxes do not count; columns have the number")
         .required();
     d.vector("about", about_point, "m", "about which torques are, such as a point of the axis of a machine")
         .optional();
@@ -53,10 +53,8 @@ struct SurfacesProbe {
 
   std::string start(const scree_view& view, double*) const {
     for (std::uint64_t k = 0; k < numbers.count; ++k)
-      if (const double n = numbers.data[k]; !(n <= view.surface_count && n == double(std::uint64_t(n))))
-        return "surface " + scree::formatted("%.16g", n) + " does not exist; the scene has " +
-               std::to_string(view.surface_count) +
-               ", numbered from 1 in the order of the [[boundary]] entries; planes and boxes do not count";
+      if (const std::string missing = scree::missing_surface(view, numbers.data[k]); !missing.empty())
+        return missing;
     return "";
   }
 

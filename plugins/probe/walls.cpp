@@ -21,9 +21,10 @@ struct WallsProbe {
       "—"};
 
   void declare(scree::Declaration& d) {
-    d.list("walls", numbers, "", scree::Range{.minimum = 1},
-           "walls to record, numbered from 1 in the order of the [[boundary]] entries; "
-           "a box counts as x_low, x_high, y_low and so on")
+    d.list(
+         "walls", numbers, "", scree::Range{.minimum = 1},
+         "walls to record, by name as \"box.x_low\", or numbered from 1 in the order of the [[boundary]] entries, "
+         "where a box counts as x_low, x_high, y_low and so on; columns have the number")
         .required();
   }
 

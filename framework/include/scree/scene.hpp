@@ -49,6 +49,7 @@ struct Scene {
   std::size_t min_bodies_per_thread = 500;
   bool audit = true;          // compute the energy balance
   bool pair_forces = true;    // store per-contact forces; needed by probes and snapshots that read contacts
+  bool sliding_work = false;  // add up what friction dissipates on surfaces; needs the audit
   bool spin = false;          // carry spins even if no law needs them yet, because a later stage does
   bool orientations = false;  // carry orientations even if no law reads them, because a probe does
   Limits limits;

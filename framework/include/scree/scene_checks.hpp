@@ -13,7 +13,8 @@ namespace scree {
 
 // Number of planes and surfaces of all boundaries of a scene. Also throws if a boundary refuses to start.
 std::size_t wall_count(const Scene& scene);
-// Names of the surfaces of all boundaries, "<boundary>.<surface>".
+// Names of the planes of all boundaries, "<boundary>.<plane>", or of the surfaces.
+std::vector<std::string> plane_names(const Scene& scene);
 std::vector<std::string> surface_names(const Scene& scene);
 // The periodic domain that the boundaries of a scene define together. Also throws if two boundaries define
 // the same axis.

@@ -105,6 +105,9 @@ class Simulation {
   const std::vector<std::uint32_t>& plane_materials() const;
   // Walls that are no planes. In a contact list they are numbered behind the planes.
   const WallSurfaces& surfaces() const;
+  // What friction has dissipated on each facet of a surface (J), see facets_of(); empty if the scene keeps
+  // none.
+  std::vector<double> sliding_work(std::size_t surface) const;
   // Largest speed (m/s) with which a surface came to where it was not, among the bodies, in the last step.
   double surface_speed(std::size_t surface) const;
   // Of a wall as contact lists number them, from 0.

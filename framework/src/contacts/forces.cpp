@@ -31,6 +31,8 @@ struct Forces::Work {
   ShareOrder share_order;
   TileSchedule schedule;
   double max_overlap_ratio = 0;  // largest so far
+  std::optional<SlidingWork> sliding_work;
+  std::vector<std::vector<SlidingWork::Slip>> slips;  // of each tile
 };
 
 Forces::Forces(const Features& features) : features_(features), work_(std::make_unique<Work>(features)) {}
@@ -83,7 +85,8 @@ void Forces::update_pairs(Particles& particles, const Contacts& contacts, std::u
     work.share_order = ShareOrder(work.tiles, share_->owners.own(), *work.halo);
   }
   work.constants.update(contacts, particles, reads, features_.pair_forces, threads);
-  work.surfaces.plan(contacts, particles.width());
+  work.surfaces.plan(contacts, particles.width(), features_.sliding_work);
+  if (features_.sliding_work) work.slips.assign(work.tiles.tiles().size(), {});
   particles.set_load_rows(work.tiles.slots());
   work.tile_sums.assign(work.tiles.tiles().size(), {});
 }
@@ -127,7 +130,8 @@ void Forces::evaluate(const Evaluation& e, ThreadPool& threads, const FinishPart
                                          .audit = features_.audit,
                                          .pair_forces = features_.pair_forces,
                                          .max_overlap_ratio = work.max_overlap_ratio,
-                                         .surfaces = &work.surfaces.records()};
+                                         .surfaces = &work.surfaces.records(),
+                                         .slips = work.surfaces.slips()};
   std::vector<std::uint8_t> springs;
   if (work.surfaces.any())
     for (const LawInstance& law : e.laws) springs.push_back(keeps_spring(law, features_.dimension));
@@ -144,6 +148,9 @@ void Forces::evaluate(const Evaluation& e, ThreadPool& threads, const FinishPart
                    .slots = e.particles.loads(),
                    .sums = work.tile_sums.data(),
                    .profile = worker == 0 ? profile : nullptr});
+    if (work.sliding_work && work.surfaces.any() && pairs != kernel::TilePairs::crossing)
+      work.slips[tile] =
+          work.surfaces.slips_of(tile, e.contacts, *work.sliding_work, features_.dimension, e.elapsed < 0);
   };
   const auto finish = [&](std::size_t part, unsigned worker) {
     Laps laps(worker == 0 ? profile : nullptr);
@@ -163,6 +170,10 @@ void Forces::evaluate(const Evaluation& e, ThreadPool& threads, const FinishPart
         work.tiles, threads,
         [&](std::size_t tile, unsigned worker) { evaluate_pairs(tile, worker, kernel::TilePairs::all); },
         finish);
+  for (std::vector<SlidingWork::Slip>& slips : work.slips) {
+    for (const SlidingWork::Slip& slip : slips) work.sliding_work->add(slip);
+    slips.clear();
+  }
   sum_loads(e.particles, e.loads, sums);
   sum_frame_loads(e.particles, e.loads.size(), e.frame_loads, sums);
   add_total(work.tile_sums, total, sums);
@@ -221,6 +232,12 @@ void Forces::place_surfaces(const Evaluation& e) {
   work_->surfaces.place(placed_surfaces(e.surfaces, features_.dimension, e.elapsed), e.planes.size(),
                         e.elapsed);
 }
+
+void Forces::keep_sliding_work(const WallSurfaces& surfaces) {
+  work_->sliding_work.emplace(surfaces, features_.dimension);
+}
+
+SlidingWork* Forces::sliding_work() { return work_->sliding_work ? &*work_->sliding_work : nullptr; }
 
 PairColumns& Forces::pair_forces() { return work_->constants.force; }
 

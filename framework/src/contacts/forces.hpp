@@ -44,8 +44,9 @@ class Forces {
     int dimension = 3;
     bool spin = false;  // bodies carry spin, contacts exert torques
     bool periodic = false;
-    bool audit = true;        // laws report energies
-    bool pair_forces = true;  // per-contact forces are stored
+    bool audit = true;          // laws report energies
+    bool pair_forces = true;    // per-contact forces are stored
+    bool sliding_work = false;  // see keep_sliding_work
   };
 
   explicit Forces(const Features& features);
@@ -97,6 +98,12 @@ class Forces {
             PairColumns& forces) const;
   void restore(const class StateTransfer& state, Particles& particles, const Contacts& contacts,
                const std::vector<LawInstance>& laws, std::size_t planes, ThreadPool& threads);
+
+  // Begins to add up what friction dissipates on surfaces, which the features must allow. Throws Error if one
+  // is infinite.
+  void keep_sliding_work(const WallSurfaces& surfaces);
+  // Null if it is not kept; of several ranks, each has its part.
+  class SlidingWork* sliding_work();
 
   // Whether a state has the forces of pairs.
   static bool are_in(const class State& state);

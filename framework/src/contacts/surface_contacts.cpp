@@ -41,7 +41,7 @@ NearestPoint away_from(const Vec3& x, double radius) {
 
 }  // namespace
 
-void SurfaceContacts::plan(const Contacts& contacts, std::size_t record_width) {
+void SurfaceContacts::plan(const Contacts& contacts, std::size_t record_width, bool slips) {
   std::vector<std::size_t> first_row;
   std::size_t rows = 0, tiles = 0;
   any_ = false;
@@ -50,7 +50,7 @@ void SurfaceContacts::plan(const Contacts& contacts, std::size_t record_width) {
     tiles = std::max(tiles, group.runs.size());
     if (group.surfaces) rows += group.padded_size(), any_ = any_ || group.pairs > 0;
   }
-  records_.plan(std::move(first_row), rows, record_width);
+  records_.plan(std::move(first_row), rows, record_width, slips);
   if (any_) mesh_spots_.resize(tiles);
   for (MeshSpots& spots : mesh_spots_) spots.renew();
 }
@@ -119,6 +119,28 @@ void SurfaceContacts::resolve(std::size_t tile, Contacts& contacts, const Partic
                     records_.first_row(g) - group.begin, p, mesh_spots_[tile], group, effective_radius);
     }
   }
+}
+
+// What a law creates is left out, as in the balance of energy.
+std::vector<SlidingWork::Slip> SurfaceContacts::slips_of(std::size_t tile, const Contacts& contacts,
+                                                         const SlidingWork& on, int dimension,
+                                                         bool backwards) {
+  std::vector<SlidingWork::Slip> slips;
+  for (std::size_t g = 0; g < contacts.groups().size(); ++g) {
+    const PairGroup& group = contacts.groups()[g];
+    if (!group.surfaces || group.runs.empty()) continue;
+    for (std::size_t q = group.runs[tile].begin; q < group.runs[tile].end; ++q) {
+      const std::size_t row = records_.first_row(g) + q - group.begin;
+      const double energy = records_.slips()[row];
+      if (!(backwards ? energy < 0 : energy > 0)) continue;
+      const std::uint32_t surface = contacts.b[q] - std::uint32_t(planes_);
+      Vec3 point = {};
+      std::copy_n(records_.record(row) + record::position, dimension, point.component);
+      const std::size_t facet = on.facets(surface).at(surfaces_[surface].in_frame(point));
+      slips.push_back({surface, std::uint32_t(facet), energy});
+    }
+  }
+  return slips;
 }
 
 }  // namespace scree

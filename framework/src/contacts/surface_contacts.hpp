@@ -5,6 +5,7 @@
 #include "contacts/mesh_spots.hpp"
 #include "contacts/pair_constants.hpp"
 #include "surfaces/placed_surface.hpp"
+#include "surfaces/sliding_work.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -17,7 +18,8 @@ namespace scree {
 class SurfaceContacts {
  public:
   // Makes room for the pairs; must be called after each neighbour search.
-  void plan(const Contacts& contacts, std::size_t record_width);
+  // slips: whether what friction dissipates is kept.
+  void plan(const Contacts& contacts, std::size_t record_width, bool slips);
   // The surfaces of an evaluation, which are numbered behind `planes` planes, at the end of a step (s).
   void place(std::vector<PlacedSurface> surfaces, std::size_t planes, double step);
   bool any() const { return any_; }
@@ -26,6 +28,10 @@ class SurfaceContacts {
   void resolve(std::size_t tile, Contacts& contacts, const Particles& particles,
                const std::vector<std::uint8_t>& springs, PairConstants& constants);
   const kernel::SurfaceRecords& records() const { return records_; }
+  double* slips() { return records_.slips(); }
+  // Where friction has dissipated energy in the last evaluation of a tile; below 0 in a step backwards.
+  std::vector<SlidingWork::Slip> slips_of(std::size_t tile, const Contacts& contacts, const SlidingWork& on,
+                                          int dimension, bool backwards);
 
  private:
   // The pairs of a body and a surface.

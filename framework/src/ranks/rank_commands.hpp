@@ -19,6 +19,7 @@ enum class RankCommand : std::uint64_t {
   gather_bodies,
   gather_listed,
   gather_pairs,
+  gather_sliding_work,
   sum_energies,
   count_pairs,
   add_histories,

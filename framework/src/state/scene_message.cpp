@@ -17,6 +17,7 @@ void transfer_rest(const StateTransfer& state, Scene& scene) {
   state.value("skin", "", scene.skin, stored::any);
   state.value("min_bodies_per_thread", "", scene.min_bodies_per_thread, stored::any);
   state.value("pair_forces", "", scene.pair_forces);
+  state.value("sliding_work", "", scene.sliding_work);
   state.value("spin", "", scene.spin);
   state.value("orientations", "", scene.orientations);
   state.value("largest_overlap_ratio", "", scene.limits.overlap_ratio, stored::any);

@@ -1,6 +1,7 @@
 #include "step/branch.hpp"
 
 #include "contacts/stored_histories.hpp"
+#include "surfaces/sliding_work.hpp"
 #include "walls/enclosure.hpp"
 
 #include <algorithm>
@@ -117,6 +118,7 @@ void Branch::take_over_all(SimulationParts& parts) {
   parts.body_forces.begin_anew();
   parts.audit = {};
   parts.momentum_audit = {};
+  if (SlidingWork* const work = parts.forces.sliding_work()) work->clear();
   report_.emplace_back("everything else, since no law, wall or body force differs");
 }
 

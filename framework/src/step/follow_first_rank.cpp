@@ -96,6 +96,8 @@ class Follower {
         return parts_.gather_listed({});
       case RankCommand::gather_pairs:
         return parts_.gather_pairs();
+      case RankCommand::gather_sliding_work:
+        return parts_.gather_sliding_work();
       case RankCommand::sum_energies:
         return void(simulation_.energy());
       case RankCommand::count_pairs:

@@ -9,6 +9,8 @@ namespace scree {
 
 std::size_t wall_count(const Scene& scene) { return boundaries_of(scene).wall_count(); }
 
+std::vector<std::string> plane_names(const Scene& scene) { return boundaries_of(scene).plane_names(); }
+
 std::vector<std::string> surface_names(const Scene& scene) { return boundaries_of(scene).surfaces().names; }
 
 Domain periodic_domain(const Scene& scene) { return boundaries_of(scene).domain(); }

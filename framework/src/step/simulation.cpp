@@ -4,6 +4,7 @@
 #include "step/branch.hpp"
 #include "step/health.hpp"
 #include "step/simulation_parts.hpp"
+#include "surfaces/sliding_work.hpp"
 #include "walls/enclosure.hpp"
 
 #include <algorithm>
@@ -211,6 +212,11 @@ const std::vector<std::string>& Simulation::let_go() const { return parts_->let_
 const Boundaries& Simulation::boundaries() const { return parts_->boundaries; }
 double Simulation::surface_speed(std::size_t surface) const {
   return parts_->boundaries.surface_speed(surface, parts_->neighbours.surface_reach());
+}
+std::vector<double> Simulation::sliding_work(std::size_t surface) const {
+  if (!parts_->forces.sliding_work()) return {};
+  parts_->gather_sliding_work();
+  return parts_->forces.sliding_work()->of(surface);
 }
 const BodyForces& Simulation::body_forces() const { return parts_->body_forces; }
 void Simulation::add_body_forces(scree_body_batch& batch) const { add_body_forces(batch, time()); }

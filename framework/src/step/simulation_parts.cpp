@@ -3,6 +3,7 @@
 #include "contacts/kernel/placement.hpp"
 #include "contacts/mesh_spots.hpp"
 #include "step/health.hpp"
+#include "surfaces/sliding_work.hpp"
 #include "walls/enclosure.hpp"
 
 #include <algorithm>
@@ -123,13 +124,15 @@ SimulationParts::SimulationParts(Scene&& given, const BodyFacts& bodies)
               .spin = particles.has_spin(),
               .periodic = boundaries.domain().any_periodic(),
               .audit = scene.audit,
-              .pair_forces = scene.pair_forces}),
+              .pair_forces = scene.pair_forces,
+              .sliding_work = scene.sliding_work}),
       integrator(make_integrator(scene.integration)),
       threads(std::make_unique<ThreadPool>(threads_of(scene, facts))),
       speed_limit(speed_limit_of(scene, facts, boundaries)),
       lengths_at_start(enclosed_lengths(boundaries, scene.dimension)),
       stepper(*this) {
   configure_laws();
+  if (scene.sliding_work) forces.keep_sliding_work(boundaries.surfaces());
   contacts = make_contacts(*this);
 }
 
@@ -145,6 +148,8 @@ void SimulationParts::transfer_all_but_pairs(const StateTransfer& state) {
   in_scene_order().transfer(of_bodies, mid_step);
   integrator->transfer(state.below("integrator"), particles.order());
   transfer_order(of_bodies);
+  const StateTransfer of_surfaces = state.below("surfaces");
+  if (scene.sliding_work && of_surfaces.has("sliding_work")) forces.sliding_work()->transfer(of_surfaces);
 }
 
 void SimulationParts::transfer_common(const StateTransfer& state) {

@@ -91,6 +91,8 @@ struct SimulationParts {
   // Of bodies of these numbers, which other ranks get from the first rank.
   void gather_listed(const std::vector<std::uint32_t>& numbers);
   void gather_pairs();
+  // What friction has dissipated on surfaces.
+  void gather_sliding_work();
   // Listed pairs of all ranks, of these the pairs of bodies; see Footprint.
   struct PairCounts {
     std::size_t listed, touching, bytes_per_pair;

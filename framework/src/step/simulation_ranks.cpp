@@ -3,6 +3,7 @@
 #include "state/scene_message.hpp"
 #include "state/state_bytes.hpp"
 #include "step/simulation_parts.hpp"
+#include "surfaces/sliding_work.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -194,6 +195,12 @@ void SimulationParts::gather_pairs() {
   gathered_contacts->send_to_owners(share->ranks, first, gathered_forces, forces.columns());
   pairs_are_gathered = share->is_first();
   if (!share->is_first()) gathered_contacts.reset();
+}
+
+void SimulationParts::gather_sliding_work() {
+  if (!share || !scene.sliding_work) return;
+  command(RankCommand::gather_sliding_work);
+  forces.sliding_work()->gather(share->ranks);
 }
 
 SimulationParts::Pairs SimulationParts::all_pairs() {

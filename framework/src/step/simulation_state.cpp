@@ -20,6 +20,7 @@ State Simulation::state() const {
 State Simulation::changing_state() const {
   parts_->in_scene_order();  // before threads read them
   parts_->all_pairs();
+  parts_->gather_sliding_work();
   // Three parts that take about equally long.
   std::future<State> pairs_copied = in_background([this] {
     State pairs;

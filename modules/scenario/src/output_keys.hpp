@@ -73,6 +73,10 @@ struct SnapshotKeys : TableKeys {
   SnapshotKeys()
       : TableKeys("snapshot", "[snapshot]", "files for ParaView and pictures of the whole scene") {}
   Key every = other("every", "number", Range::positive("s"), "default never", "time between .vtp files");
+  BooleanKey sliding_work =
+      boolean("sliding_work", false,
+              "surfaces_<step>.vtp have the energy per area that friction has dissipated on each facet of "
+              "cylinders, meshes and other surfaces since the start of the run");
   BooleanKey h5md = boolean("h5md", false, "the bodies of the same times in one file too, trajectory.h5md");
   Key image_every = other("image_every", "number", Range::positive("s"), "default never",
                           "time between pictures, from the start of each stage; each stage ends with one");

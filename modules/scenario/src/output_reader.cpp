@@ -130,6 +130,10 @@ SnapshotPlan read_snapshot(const document::Table& root, int dimension, double st
   if (t->optional(snapshot_keys.every)) plan.every = read_interval(*t, snapshot_keys.every, step);
   if (t->optional(snapshot_keys.image_every))
     plan.image_every = read_interval(*t, snapshot_keys.image_every, step);
+  plan.sliding_work = read(*t, snapshot_keys.sliding_work);
+  if (plan.sliding_work && !plan.every)
+    throw t->error(snapshot_keys.sliding_work, "a map of sliding work needs the time between .vtp files",
+                   "give every = <s> too");
   plan.h5md = read(*t, snapshot_keys.h5md);
   if (plan.h5md && !plan.every)
     throw t->error(snapshot_keys.h5md, "a trajectory needs the time between its frames",

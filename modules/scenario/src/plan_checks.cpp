@@ -41,6 +41,7 @@ bool needs_spin(const Plan& plan) { return any_law(plan, &exerts_torque); }
 void note_needs(Plan& plan) {
   plan.scene.pair_forces =
       plan.snapshot.any() || !plan.fields.empty() || any_probe_needs(plan, SCREE_NEEDS_CONTACTS);
+  plan.scene.sliding_work = plan.snapshot.sliding_work;
   plan.scene.orientations =
       any_probe_needs(plan, SCREE_NEEDS_ORIENTATIONS) || any_law(plan, &depends_on_orientations);
 }
@@ -52,6 +53,7 @@ void check_audit(const document::Table& root, const Plan& plan) {
     throw root.table("time").error("energy_audit", fmt::format("{} needs the energy audit", user),
                                    "set energy_audit = true, or remove it");
   };
+  if (plan.snapshot.sliding_work) refuse("snapshot.sliding_work");
   for (const Stage& stage : plan.stages)
     if (stage.until.reads_energies()) refuse(fmt::format("the condition of stage '{}'", stage.name));
   for (const ProbePlan& probe : plan.probes)

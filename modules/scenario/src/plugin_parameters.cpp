@@ -11,7 +11,8 @@ namespace scree::scenario {
 
 namespace {
 
-std::vector<double> read_value(const document::Table& table, const scree_parameter& p, int dimension) {
+std::vector<double> read_value(const document::Table& table, const scree_parameter& p, int dimension,
+                               const ListReader& read_list) {
   switch (scree_type(p.type)) {
     case SCREE_INTEGER:
       return {double(table.integer(p.key))};
@@ -28,7 +29,7 @@ std::vector<double> read_value(const document::Table& table, const scree_paramet
       return v;
     }
     case SCREE_LIST:
-      return table.numbers(p.key);
+      return read_list ? read_list(table, p.key) : table.numbers(p.key);
     case SCREE_PROGRAM:
       return read_program(table, p.key);
     case SCREE_MESH_FILE:
@@ -72,13 +73,13 @@ const scree_plugin& find_plugin(const document::Table& table, scree_kind kind, P
 }
 
 void read_parameters(const document::Table& table, int dimension, const MeshReader& read_mesh,
-                     Parameters& parameters) {
+                     Parameters& parameters, const ListReader& read_list) {
   const scree_plugin& plugin = parameters.plugin();
   for (std::uint32_t k = 0; k < plugin.parameter_count; ++k) {
     const scree_parameter& p = plugin.parameters[k];
     if (p.type == SCREE_INPUT || !table.optional(p.key)) continue;
     std::vector<double> data =
-        p.type == SCREE_MESH_FILE ? read_mesh(table, p.key) : read_value(table, p, dimension);
+        p.type == SCREE_MESH_FILE ? read_mesh(table, p.key) : read_value(table, p, dimension, read_list);
     if (const auto wrong = Parameters::problem(p, data))
       throw table.error(p.key, fmt::format("{} {}", p.key, wrong->problem()), wrong->cure());
     parameters.set(p.key, std::move(data));

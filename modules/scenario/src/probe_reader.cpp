@@ -135,7 +135,10 @@ void read_probe(ProbeDraft& draft, const std::vector<ProbeDraft>& drafts, const 
   if (!draft.quantities.empty()) return read_derived_probe(draft, drafts, scene, stages);
   const document::Table& t = draft.table;
   ProbePlan& plan = draft.plan;
-  read_parameters(t, scene.dimension, no_mesh, plan.parameters);
+  const ListReader read_list = [&](const document::Table& table, const char* key) {
+    return read_numbers_or_walls(table, key, scene);
+  };
+  read_parameters(t, scene.dimension, no_mesh, plan.parameters, read_list);
   plan.left_out = read_left_out(t, scene);
   // Without stages there is no run, and no time between samples.
   if (!stages.empty() || t.optional(probe_keys.every))

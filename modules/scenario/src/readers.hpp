@@ -210,12 +210,20 @@ std::vector<double> no_mesh(const document::Table& table, const char* key);
 
 // The plug-in that the key `plugin` of the table names.
 const scree_plugin& find_plugin(const document::Table& table, scree_kind kind, PluginHost& host);
+// The numbers of a list; without one, a list has numbers alone.
+using ListReader = std::function<std::vector<double>(const document::Table& table, const char* key)>;
 // Copies the keys of a table that the plug-in declares to `parameters`; other keys, and columns of other
 // probes, are left for the caller.
 void read_parameters(const document::Table& table, int dimension, const MeshReader& read_mesh,
-                     Parameters& parameters);
+                     Parameters& parameters, const ListReader& read_list = {});
 // Throws Error at the table unless all required parameters are given.
 void check_complete(const document::Table& table, const Parameters& parameters);
+
+// wall_names.cpp
+
+// A list of a probe, in whose keys walls, at_walls, surfaces and at_surfaces a plane or a surface has its name
+// or its number, from 1.
+std::vector<double> read_numbers_or_walls(const document::Table& table, const char* key, const Scene& scene);
 
 // program_reader.cpp
 

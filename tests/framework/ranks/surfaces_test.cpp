@@ -2,6 +2,7 @@
 #include "over_ranks.hpp"
 #include "sanitized.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -48,10 +49,14 @@ Scene drum_of_spheres(bool mesh) {
         {{"file", pot.numbers()}, {"translation", {0, 0, 10.5}}, {"spin", {0.5}}, {"spin_axis", {0, 0, 1}}},
         "pot");
   } else {
-    add_boundary(
-        s, "cylinder",
-        {{"point", {0, 0, 0}}, {"axis", {0, 0, 1}}, {"radius", {hollow}}, {"side", {2}}, {"spin", {0.5}}},
-        "mantle");
+    add_boundary(s, "cylinder",
+                 {{"point", {0, 0, 0}},
+                  {"axis", {0, 0, 1}},
+                  {"radius", {hollow}},
+                  {"length", {4 * lid}},
+                  {"side", {2}},
+                  {"spin", {0.5}}},
+                 "mantle");
     add_boundary(s, "disc",
                  {{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}, {"radius", {hollow}}, {"spin", {0.5}}}, "low");
   }
@@ -74,7 +79,7 @@ Scene drum_of_spheres(bool mesh) {
 
 struct TurnedDrum {
   std::uint64_t hash;
-  std::vector<double> loads;
+  std::vector<double> loads, sliding_work;
 
   bool operator==(const TurnedDrum&) const = default;
 };
@@ -82,9 +87,14 @@ struct TurnedDrum {
 TurnedDrum turned_drum(bool mesh, unsigned threads, Ranks* ranks) {
   Scene scene = drum_of_spheres(mesh);
   scene.threads = threads;
+  scene.sliding_work = true;
   Simulation s(scene, ranks);
-  s.run(steps_of_drum, [] { return true; });
-  TurnedDrum outcome = {s.state_hash(), {}};
+  s.run(steps_of_drum / 2, [] { return true; });
+  s.sliding_work(0);  // which the first rank then has of all
+  s.run(steps_of_drum - steps_of_drum / 2, [] { return true; });
+  TurnedDrum outcome = {s.state_hash(), {}, {}};
+  for (std::size_t surface = 0; surface < s.surfaces().size(); ++surface)
+    for (const double work : s.sliding_work(surface)) outcome.sliding_work.push_back(work);
   for (const scree_frame_load& load : s.surfaces().loads)
     for (int k = 0; k < 3; ++k) outcome.loads.insert(outcome.loads.end(), {load.force[k], load.torque[k]});
   return outcome;
@@ -99,6 +109,8 @@ TEST_CASE("surfaces that turn give the same bits on any number of threads and ra
     REQUIRE(expected.loads.size() == (mesh ? 3 : 4) * 6);
     for (std::size_t surface = 0; surface < (mesh ? 2 : 3); ++surface)
       CHECK(expected.loads[6 * surface + 5] != 0);
+    CHECK(std::count_if(expected.sliding_work.begin(), expected.sliding_work.end(),
+                        [](double w) { return w > 0; }) > 100);
     CHECK(turned_drum(mesh, 3, nullptr) == expected);
     for (const bool at_random : {false, true})
       for (const unsigned count : {2u, 3u})

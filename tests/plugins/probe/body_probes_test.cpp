@@ -82,6 +82,44 @@ TEST_CASE("contact and walls: a sliding body exerts the friction of its normal f
   CHECK(w["normal_force_1"] == 0);
 }
 
+TEST_CASE("contact: a body at surfaces, beside planes and other bodies", "[probe]") {
+  Scene s = corner();
+  add_boundary(s, "disc", {{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}, {"radius", {1}}, {"control", {5}}},
+               "away");
+  // Body 3 overlaps the rectangle by 3e-4 m from the side.
+  const double beside = 3 * sphere_radius - 4e-4;
+  add_boundary(s, "rectangle",
+               {{"point", {0, beside, 0}}, {"normal", {0, -1, 0}}, {"length", {1}}, {"width", {1}}}, "side");
+  const Simulation at_rest(s);
+  const Recorder c(at_rest, "contact",
+                   {{"pairs", {3, 7}}, {"at_walls", {7, 2}}, {"at_surfaces", {3, 2, 7, 1, 7, 2}}});
+  CHECK(c["overlap_3_surface2"] == Approx(3e-4));
+  CHECK(c["normal_force_3_surface2"] == Approx(sphere_stiffness * 3e-4));
+  CHECK(c["normal_y_3_surface2"] == -1);
+  CHECK(c["overlap_7_wall2"] == Approx(2e-4));
+  CHECK(c["normal_z_7_wall2"] == 1);
+  CHECK(c["overlap_3_7"] > 0);
+  for (const char* open : {"overlap_7_surface1", "overlap_7_surface2", "normal_y_7_surface2"})
+    CHECK(c[open] == 0);
+  CHECK_THROWS_WITH(Recorder(at_rest, "contact", {{"at_surfaces", {3, 3}}}),
+                    Catch::Contains("surface 3 does not exist"));
+  CHECK_THROWS_WITH(Recorder(at_rest, "contact", {{"at_surfaces", {4, 1}}}),
+                    Catch::Contains("id 4 does not exist"));
+}
+
+TEST_CASE("contact: of several spots on a mesh, the deepest", "[probe]") {
+  // Two faces at a right angle, one triangle each; the body lies deeper in the second one.
+  Scene s = scene(3, 1e-5, {body(1, 0.1, 1, {{0.095, 0.098, 0}})}, sphere_law);
+  const std::vector<double> corner_of_faces = {6, 0, 0, -9, 0, 0, 9, 0, 9, 0, 0, 0, -9,
+                                               9, 0, 0, 0,  0, 9, 0, 2, 1, 3, 4, 5};
+  add_boundary(s, "mesh", {{"file", corner_of_faces}});
+  const Simulation at_rest(s);
+  REQUIRE(at_rest.contact_list().size() == 2);
+  const Recorder c(at_rest, "contact", {{"at_surfaces", {1, 1}}});
+  CHECK(c["overlap_1_surface1"] == Approx(0.005));
+  CHECK(c["normal_x_1_surface1"] == Approx(1));
+}
+
 TEST_CASE("walls: position and velocity along the normal of a moving wall", "[probe]") {
   Scene moving = corner();
   add_boundary(moving, "plane",

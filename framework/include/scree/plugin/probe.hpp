@@ -76,6 +76,18 @@ inline std::string missing_wall(const scree_view& view, double number) {
   return problem;
 }
 
+// The same of surfaces.
+inline std::string missing_surface(const scree_view& view, double number) {
+  if (number >= 1 && number <= view.surface_count && number == std::floor(number)) return "";
+  char problem[200];
+  std::snprintf(
+      problem, sizeof(problem),
+      "surface %.16g does not exist; the scene has %u, numbered from 1 in the order of the [[boundary]] "
+      "entries; planes and boxes do not count",
+      number, view.surface_count);
+  return problem;
+}
+
 namespace detail {
 
 template <class Author>

@@ -81,7 +81,10 @@ struct SpaceBins {
       const char name = "xyz"[k];
       if (region == AveragingFrame::enclosed && std::isnan(view.length[k]))
         return std::string("the scene is not enclosed along ") + name +
-               "; give region = \"box\" with lower and upper";
+               (view.surface_count == 0
+                    ? "; give region = \"box\" with lower and upper"
+                    : " by planes, and this region does not end at cylinders, meshes and other "
+                      "surfaces; give region = \"cylinder\", \"sphere\" or \"box\"");
       if (region == AveragingFrame::enclosed && bins > 1 && along == k && view.period[k] > 0)
         return std::string("bins along the periodic axis ") + name +
                " have no first one; give region = \"box\" with lower and upper";

@@ -32,6 +32,7 @@ struct EvaluationInput {
   bool audit, pair_forces;
   double max_overlap_ratio;                  // largest in earlier evaluations
   const SurfaceRecords* surfaces = nullptr;  // if there are pairs with surfaces
+  double* slips = nullptr;                   // of these pairs, see SurfaceRecords
 };
 
 // Columns of a block of pairs between gather and scatter.

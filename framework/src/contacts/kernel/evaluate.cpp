@@ -60,6 +60,9 @@ SCREE_HOT void evaluate_block(const BlockTask& task, BlockColumns& block, Bodies
   sums.max_overlap_ratio =
       largest_overlap_ratio<planes>(task.radius_sum, task.padded(), block, sums.max_overlap_ratio);
   if (task.tile.input->audit) sums += sum_block(block, task.padded(), task.tile.input->step < 0);
+  if constexpr (partner == Partner::surface)
+    if (double* const slips = task.tile.input->slips)
+      std::copy_n(block.output[SCREE_DISSIPATED_FRICTION], task.count, slips + task.surface_row());
   laps.lap(Profile::reduce);
 }
 

@@ -17,13 +17,15 @@ namespace scree::kernel {
 class SurfaceRecords {
  public:
   // first_row: of each group of pairs; rows: of all. width: of records.
-  void plan(std::vector<std::size_t> first_row, std::size_t rows, std::size_t width) {
+  // slips: whether they are kept.
+  void plan(std::vector<std::size_t> first_row, std::size_t rows, std::size_t width, bool slips) {
     first_row_ = std::move(first_row);
     width_ = width;
     records_.resize(width * rows, 0.0);
     normals_.resize(4 * rows, 0.0);
     levers_.resize(4 * rows, 0.0);
     mid_normals_.resize(4 * rows, 0.0);
+    if (slips) slips_.assign(rows, 0.0);
   }
   std::size_t first_row(std::size_t group) const { return first_row_[group]; }
 
@@ -33,6 +35,8 @@ class SurfaceRecords {
   double* normal(std::size_t row) { return normals_.data() + 4 * row; }
   double* mid_normal(std::size_t row) { return mid_normals_.data() + 4 * row; }
   double* lever(std::size_t row) { return levers_.data() + 4 * row; }
+  // (J) that friction has dissipated in the last evaluation, as laws say it; null if they are not kept.
+  double* slips() { return slips_.empty() ? nullptr : slips_.data(); }
   const double* records() const { return records_.data(); }
   const double* normals() const { return normals_.data(); }          // (rows, 4)
   const double* mid_normals() const { return mid_normals_.data(); }  // (rows, 4)
@@ -41,7 +45,7 @@ class SurfaceRecords {
  private:
   std::size_t width_ = 0;
   std::vector<std::size_t> first_row_;
-  Column<double> records_, normals_, mid_normals_, levers_;
+  Column<double> records_, normals_, mid_normals_, levers_, slips_;
 };
 
 }  // namespace scree::kernel

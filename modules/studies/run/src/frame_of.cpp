@@ -93,20 +93,73 @@ void add_contacts(const Simulation& s, pictures::Frame& frame) {
   }
 }
 
+// Contacts of the last evaluation with a surface.
+struct WallContacts {
+  std::vector<Vec3> point;   // (m) of the surface
+  std::vector<Vec3> force;   // (N) on the surface
+  std::vector<Vec3> normal;  // unit, to the body
+};
+
+WallContacts contacts_with(const Simulation& s, const ContactList& list, std::size_t surface) {
+  const Particles& p = s.particles();
+  WallContacts found;
+  for (std::size_t c = 0; c < list.size(); ++c) {
+    if (list.b[c] != p.size() + s.planes().size() + surface) continue;
+    Vec3 centre = {}, normal = {}, force = {};
+    for (int k = 0; k < 3; ++k) {
+      if (k < s.dimension()) centre[k] = p.position()[k][list.a[c]];
+      normal[k] = list.normal[3 * c + std::size_t(k)];
+      force[k] = -list.force[3 * c + std::size_t(k)];
+    }
+    found.point.push_back(centre - (p.radius()[list.a[c]] - list.overlap[c]) * normal);
+    found.force.push_back(force);
+    found.normal.push_back(normal);
+  }
+  return found;
+}
+
+Vec3 corner(const std::array<double, 3>& x) { return {{x[0], x[1], x[2]}}; }
+
 SurfaceOutline outline(const Simulation& s, std::size_t surface, const SceneBox& box) {
-  const auto corner = [](const std::array<double, 3>& x) { return Vec3{{x[0], x[1], x[2]}}; };
   return outline_of(s.surfaces(), surface, s.dimension(), corner(box.lower), corner(box.upper));
 }
 
+// Stresses of the last evaluation, and work since the start.
+void add_maps(const FacetedSurface& of, const WallContacts& contacts, const std::vector<double>& work,
+              pictures::Surface& surface) {
+  std::vector<double> normal(of.area.size(), 0.0);
+  std::vector<Vec3> force(of.area.size()), shear(of.area.size());
+  for (std::size_t c = 0; c < contacts.point.size(); ++c) {
+    const std::uint32_t facet = of.of_point[c];
+    const double along = dot(contacts.force[c], contacts.normal[c]);
+    normal[facet] -= along;
+    force[facet] += contacts.force[c];
+    shear[facet] += contacts.force[c] - along * contacts.normal[c];
+  }
+  for (const std::uint32_t facet : of.facet) {
+    const double area = of.area[facet];
+    const Vec3 traction = 1 / area * force[facet];
+    surface.normal_stress.push_back(normal[facet] / area);
+    surface.shear_stress.push_back(norm(shear[facet]) / area);
+    surface.traction.insert(surface.traction.end(), traction.component, traction.component + 3);
+    if (!work.empty()) surface.sliding_work.push_back(work[facet] / area);
+  }
+}
+
 void add_surfaces(const Simulation& s, const SceneBox& box, pictures::Frame& frame) {
+  if (s.surfaces().size() == 0) return;
+  const ContactList list = s.loaded_contact_list();
   for (std::size_t k = 0; k < s.surfaces().size(); ++k) {
     if (s.absent_walls()[s.planes().size() + k]) continue;
-    const SurfaceOutline shape = outline(s, k, box);
+    const WallContacts contacts = contacts_with(s, list, k);
+    const FacetedSurface shape =
+        facets_of(s.surfaces(), k, s.dimension(), corner(box.lower), corner(box.upper), contacts.point);
     pictures::Surface& surface = frame.surfaces.emplace_back();
     surface.name = s.surfaces().names[k];
-    for (const Vec3& p : shape.points)
+    for (const Vec3& p : shape.outline.points)
       surface.points.insert(surface.points.end(), p.component, p.component + 3);
-    surface.cells = shape.cells;
+    surface.cells = shape.outline.cells;
+    add_maps(shape, contacts, s.sliding_work(k), surface);
     std::copy_n(s.surfaces().loads[k].force, 3, surface.force.begin());
     std::copy_n(s.surfaces().loads[k].torque, 3, surface.torque.begin());
   }

@@ -1,8 +1,13 @@
 #include "scenes.hpp"
 
+#include <array>
+#include <cmath>
+#include <vector>
+
 #include <catch2/catch.hpp>
 
 #include <scree/run/frame_of.hpp>
+#include <scree/wall_surfaces.hpp>
 
 using scree::run::next_view;
 using scree::run::SceneBox;
@@ -67,4 +72,76 @@ TEST_CASE("displacements count from t = 0 without jumps at periodic faces, and g
   CHECK(grouped.displacement.empty());
   CHECK(grouped.groups == std::vector<std::string>{"first", "both"});
   CHECK(grouped.group == std::vector<std::int32_t>{0, 1});
+}
+
+namespace {
+
+double area_of(const scree::pictures::Surface& surface, std::size_t cell) {
+  const auto corner = [&](std::size_t k) {
+    const double* const at = surface.points.data() + 3 * surface.cells[3 * cell + k];
+    return scree::Vec3{{at[0], at[1], at[2]}};
+  };
+  return 0.5 * norm(cross(corner(1) - corner(0), corner(2) - corner(0)));
+}
+
+}  // namespace
+
+TEST_CASE("stresses on the cells of surfaces add up to the loads", "[run]") {
+  using namespace scree::test;
+  std::vector<scree::Body> bodies;
+  for (int k = 0; k < 8; ++k)
+    bodies.push_back(
+        body(k, 0.1, 1, {{0.71 * std::cos(0.7 * k), 0.71 * std::sin(0.7 * k), 0.15 * k}}, {{1, 0.3, 0}}));
+  scree::Scene sc = scene(3, 1e-4, bodies,
+                          {{"normal_stiffness", {1e4}},
+                           {"normal_damping", {1}},
+                           {"tangential_stiffness", {4e3}},
+                           {"static_friction", {0.3}}});
+  sc.sliding_work = true;
+  const scree::test::Values mantle = {
+      {"point", {0, 0, 0.5}}, {"axis", {0, 0, 1}}, {"radius", {0.8}}, {"length", {1.5}}, {"spin", {3}}};
+  add_boundary(sc, "cylinder", mantle, "mantle");
+  scree::Simulation simulation(sc);
+  scree::test::run(simulation, 100);
+  const scree_frame_load& load = simulation.surfaces().loads[0];
+  const scree::pictures::Frame frame = scree::run::frame_of(simulation, "", cube(-1, 1));
+  REQUIRE(frame.surfaces.size() == 1);
+  const scree::pictures::Surface& surface = frame.surfaces[0];
+  const std::size_t cells = surface.cells.size() / 3;
+  REQUIRE(surface.normal_stress.size() == cells);
+  REQUIRE(surface.traction.size() == 3 * cells);
+  double normal = 0, shear = 0, work = 0, expected_normal = 0, expected_shear = 0, expected_work = 0;
+  std::array<double, 3> force = {};
+  for (std::size_t c = 0; c < cells; ++c) {
+    const double area = area_of(surface, c);
+    for (std::size_t k = 0; k < 3; ++k) force[k] += area * surface.traction[3 * c + k];
+    normal += area * surface.normal_stress[c];
+    shear += area * surface.shear_stress[c];
+    work += area * surface.sliding_work[c];
+  }
+  // No facet has two contacts: magnitudes add up as forces do.
+  for (std::size_t c = 0; c < frame.contact_count(); ++c)
+    if (frame.contact_wall[c] == 0)
+      expected_normal += frame.contact_normal_force[c], expected_shear += frame.contact_tangential_force[c];
+  for (const double energy : simulation.sliding_work(0)) expected_work += energy;
+  // Of round-off.
+  for (std::size_t k = 0; k < 3; ++k)
+    CHECK(force[k] == Approx(load.force[k]).margin(1e-12 * expected_normal));
+  REQUIRE(expected_normal > 1);
+  REQUIRE(expected_shear > 0.1);
+  REQUIRE(expected_work > 1e-3);
+  CHECK(normal == Approx(expected_normal).epsilon(1e-12));
+  CHECK(shear == Approx(expected_shear).epsilon(1e-12));
+  CHECK(work == Approx(expected_work).epsilon(1e-12));
+  // A body presses on the cells beside it.
+  for (std::size_t c = 0; c < cells; ++c) {
+    if (surface.normal_stress[c] == 0) continue;
+    double nearest = 1;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      const double* const x = frame.position.data() + 3 * i;
+      const double* const corner = surface.points.data() + 3 * surface.cells[3 * c];
+      nearest = std::min(nearest, std::hypot(x[0] - corner[0], x[1] - corner[1], x[2] - corner[2]));
+    }
+    CHECK(nearest < 0.1 + 0.1);  // a radius, and the diagonal of a cell of 70 mm
+  }
 }

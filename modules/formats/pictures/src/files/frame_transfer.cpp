@@ -68,7 +68,8 @@ void transfer(Packing& packing, Frame& f) {
   }
   transfer_size(packing, f.surfaces);
   for (Surface& surface : f.surfaces) {
-    columns(surface.name, surface.points, surface.cells);
+    columns(surface.name, surface.points, surface.cells, surface.normal_stress, surface.shear_stress,
+            surface.traction, surface.sliding_work);
     packing.raw(&surface.force, sizeof(surface.force));
     packing.raw(&surface.torque, sizeof(surface.torque));
   }

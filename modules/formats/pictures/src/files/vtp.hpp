@@ -44,6 +44,10 @@ inline constexpr const char* point = "point";  // the force has the name of that
 inline constexpr const char* surface = "surface";  // of each cell, an index into the names
 inline constexpr const char* surface_name = "surface_name";
 inline constexpr const char* torque = "torque";
+inline constexpr const char* normal_stress = "normal_stress";
+inline constexpr const char* shear_stress = "shear_stress";
+inline constexpr const char* traction = "traction";
+inline constexpr const char* sliding_work = "sliding_work";
 
 inline constexpr const char* time = "TimeValue";  // the name that ParaView expects
 inline constexpr const char* step = "step";
@@ -56,4 +60,16 @@ inline constexpr const char* wall_point = "wall_point";
 inline constexpr const char* wall_normal = "wall_normal";
 
 }  // namespace vtp
+
+// What surfaces have in each cell.
+struct SurfaceMap {
+  const char* name;
+  std::vector<double> Surface::*values;
+  std::size_t components;
+};
+inline constexpr SurfaceMap surface_maps[] = {{vtp::normal_stress, &Surface::normal_stress, 1},
+                                              {vtp::shear_stress, &Surface::shear_stress, 1},
+                                              {vtp::traction, &Surface::traction, 3},
+                                              {vtp::sliding_work, &Surface::sliding_work, 1}};
+
 }  // namespace scree::pictures

@@ -120,13 +120,28 @@ void read_contacts(vtkPolyData* data, Frame& frame) {
   frame.contact_point = column<double>(columns, vtp::point);
 }
 
+// What a cell of the file has of a map, if the file has it.
+void append_cell(const std::vector<double>& all, std::size_t cell, const SurfaceMap& map, Surface& surface) {
+  const std::size_t first = map.components * cell;
+  if (all.size() < first + map.components) return;
+  const auto from = all.begin() + std::ptrdiff_t(first);
+  std::vector<double>& values = surface.*map.values;
+  values.insert(values.end(), from, from + std::ptrdiff_t(map.components));
+}
+
 // Each surface with all points of the file.
 void read_surfaces(vtkPolyData* data, Frame& frame) {
   const std::vector<std::string> names = strings(data->GetFieldData(), vtp::surface_name);
   const auto number = column<std::int32_t>(data->GetCellData(), vtp::surface);
   const auto force = column<double>(data->GetCellData(), vtp::force),
              torque = column<double>(data->GetCellData(), vtp::torque);
-  for (const std::string& name : names) frame.surfaces.push_back({name, coordinates(data), {}, {}, {}});
+  for (const std::string& name : names) {
+    Surface& surface = frame.surfaces.emplace_back();
+    surface.name = name;
+    surface.points = coordinates(data);
+  }
+  std::vector<std::vector<double>> maps;
+  for (const SurfaceMap& map : surface_maps) maps.push_back(column<double>(data->GetCellData(), map.name));
   vtkCellArray* const cells = frame.dimension == 2 ? data->GetLines() : data->GetPolys();
   for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell) {
     vtkIdType count = 0;
@@ -139,6 +154,7 @@ void read_surfaces(vtkPolyData* data, Frame& frame) {
     Surface& surface = frame.surfaces[std::size_t(number[c])];
     surface.cells.insert(surface.cells.end(), corner, corner + count);
     surface.force = triple(force, c), surface.torque = triple(torque, c);
+    for (std::size_t m = 0; m < maps.size(); ++m) append_cell(maps[m], c, surface_maps[m], surface);
   }
 }
 

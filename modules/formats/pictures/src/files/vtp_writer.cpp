@@ -94,6 +94,17 @@ std::string serialise(vtkPolyData* data) {
   return writer->GetOutputString();
 }
 
+// What the cells of all surfaces have; left out if a surface lacks it.
+void add_map(vtkFieldData* columns, const Frame& frame, const SurfaceMap& map) {
+  std::vector<double> all;
+  for (const Surface& s : frame.surfaces) {
+    const std::vector<double>& values = s.*map.values;
+    if (values.size() != map.components * (s.cells.size() / std::size_t(frame.dimension))) return;
+    all.insert(all.end(), values.begin(), values.end());
+  }
+  add_column<vtkDoubleArray>(columns, map.name, all, int(map.components));
+}
+
 }  // namespace
 
 std::string particles_vtp(const Frame& frame) {
@@ -178,6 +189,7 @@ std::string surfaces_vtp(const Frame& frame) {
   add_column<vtkTypeInt32Array>(columns, vtp::surface, number);
   add_column<vtkDoubleArray>(columns, vtp::force, force, 3);
   add_column<vtkDoubleArray>(columns, vtp::torque, torque, 3);
+  for (const SurfaceMap& map : surface_maps) add_map(columns, frame, map);
   add_strings(data->GetFieldData(), vtp::surface_name, names);
   add_scene(data->GetFieldData(), frame);
   return serialise(data);

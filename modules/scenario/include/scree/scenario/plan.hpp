@@ -69,6 +69,7 @@ Probe configured(const ProbePlan& probe, int dimension);
 struct SnapshotPlan {
   std::optional<double> every;        // (s) between .vtp files
   std::optional<double> image_every;  // (s) between images
+  bool sliding_work = false;          // on facets of surfaces, in .vtp files
   bool h5md = false;                  // the same frames in trajectory.h5md
   std::optional<int> film_rate;       // (Hz) of a film of the images; absent: none is made
   pictures::RenderOptions picture;    // color_range absent: of all pictures so far

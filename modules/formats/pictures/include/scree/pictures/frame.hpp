@@ -21,6 +21,11 @@ struct Surface {
   std::vector<std::uint32_t> cells;  // three points of each triangle, in 2D two of each segment
   std::array<double, 3> force{};     // (N) of all contacts
   std::array<double, 3> torque{};    // (N m) about the origin of its frame
+  // Of each cell, which has those of its facet; or empty.
+  std::vector<double> normal_stress;  // (Pa) above 0 in compression
+  std::vector<double> shear_stress;   // (Pa)
+  std::vector<double> traction;       // (Pa) (3 each) force of the bodies over the area
+  std::vector<double> sliding_work;   // (J/m²) that friction has dissipated since the start
 };
 
 // State of a scene at one time, as columns; N particles, C contacts. In 2D every z component is 0. id, radius
