@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <scree/scene_record.hpp>
+
 using namespace scree;
 using namespace scree::test;
 
@@ -135,25 +137,24 @@ TEST_CASE("a probe counts the bodies of groups, or leaves them out", "[scenario]
 TEST_CASE("probes take walls by name or by number", "[scenario]") {
   const std::string walled =
       std::string(discs) +
-      "[[boundary]]\nplugin = 'box'\nlower = [-9, -9]\nupper = [9, 9]\nx = 'fixed'\n"
+      "[[boundary]]\nplugin = 'box'\nlower = [-9, -9]\nupper = [9, 9]\nx = 'fixed'\ny = 'fixed'\n"
       "[[boundary]]\nname = 'ring'\nplugin = 'sphere'\npoint = [0, 0]\nradius = 9\n"
       "[[boundary]]\nname = 'rod'\nplugin = 'rectangle'\npoint = [0, 8]\nnormal = [0, -1]\nlength = 1\n";
-  const auto numbers_of = [&](const std::string& key, const std::string& probe) {
+  const auto line_of = [&](const std::string& probe) {
     const scenario::Plan plan = plan_of(walled + "[[probe]]\nevery = 1e-4\n" + probe + "\n");
-    const scree_value value = *plan.probes.back().parameters.value(key);
-    return std::vector<double>(value.data, value.data + value.count);
+    return parameter_lines(plan.probes.back().parameters).front();
   };
-  CHECK(numbers_of("surfaces", "plugin = 'surfaces'\nsurfaces = ['rod', 1]") == std::vector<double>{2, 1});
-  CHECK(numbers_of("surfaces", "plugin = 'surfaces'\nsurfaces = [2]") == std::vector<double>{2});
-  CHECK(numbers_of("walls", "plugin = 'walls'\nwalls = ['box.x_high']") == std::vector<double>{2});
-  CHECK(numbers_of("at_surfaces", "plugin = 'contact'\nat_surfaces = [1, 'ring', 2, \"rod\"]") ==
-        std::vector<double>{1, 1, 2, 2});
+  CHECK(line_of("plugin = 'surfaces'\nsurfaces = ['rod', 1]") == "surfaces = 2, 1");
+  CHECK(line_of("plugin = 'surfaces'\nsurfaces = [2]") == "surfaces = 2");
+  CHECK(line_of("plugin = 'walls'\nwalls = ['box.x_high']") == "walls = 2");
+  CHECK(line_of("plugin = 'contact'\nat_surfaces = [1, 'ring', 2, \"rod\"]") == "at_surfaces = 1, 1, 2, 2");
   const auto problem_with = [&](const std::string& probe) {
     return refusal(walled + "[[probe]]\nevery = 1e-4\n" + probe + "\n");
   };
-  CHECK(problem_with("plugin = 'surfaces'\nsurfaces = [1, 'rods']")
-            .ends_with(":16: no surface 'rods'; did you mean 'rod'?"));
+  const std::string rods = problem_with("plugin = 'surfaces'\nsurfaces = [1, 'rods']");
+  CHECK(rods.ends_with(":16: no surface 'rods'; did you mean 'rod'?"));
   CHECK(problem_with("plugin = 'walls'\nwalls = ['rod']").find("no plane 'rod'") != std::string::npos);
-  CHECK(problem_with("plugin = 'contact'\npairs = [1, 'rod']").find("no ") == std::string::npos);
+  CHECK(problem_with("plugin = 'contact'\npairs = [1, 'rod']").find("is not an array of numbers") !=
+        std::string::npos);
   CHECK(problem_with("plugin = 'surfaces'\nsurfaces = ['rod', true]") != "");
 }

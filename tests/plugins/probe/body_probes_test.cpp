@@ -89,7 +89,12 @@ TEST_CASE("contact: a body at surfaces, beside planes and other bodies", "[probe
   // Body 3 overlaps the rectangle by 3e-4 m from the side.
   const double beside = 3 * sphere_radius - 4e-4;
   add_boundary(s, "rectangle",
-               {{"point", {0, beside, 0}}, {"normal", {0, -1, 0}}, {"length", {1}}, {"width", {1}}}, "side");
+               {{"point", {0, beside, 0}},
+                {"normal", {0, -1, 0}},
+                {"along", {1, 0, 0}},
+                {"length", {1}},
+                {"width", {1}}},
+               "side");
   const Simulation at_rest(s);
   const Recorder c(at_rest, "contact",
                    {{"pairs", {3, 7}}, {"at_walls", {7, 2}}, {"at_surfaces", {3, 2, 7, 1, 7, 2}}});

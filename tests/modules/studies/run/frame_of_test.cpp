@@ -98,6 +98,8 @@ TEST_CASE("stresses on the cells of surfaces add up to the loads", "[run]") {
                            {"tangential_stiffness", {4e3}},
                            {"static_friction", {0.3}}});
   sc.sliding_work = true;
+  // Loads of the second are of mid-step: contacts that have opened since have their share of them.
+  sc.integration = GENERATE(scree::Integration::velocity_verlet, scree::Integration::position_verlet);
   const scree::test::Values mantle = {
       {"point", {0, 0, 0.5}}, {"axis", {0, 0, 1}}, {"radius", {0.8}}, {"length", {1.5}}, {"spin", {3}}};
   add_boundary(sc, "cylinder", mantle, "mantle");
