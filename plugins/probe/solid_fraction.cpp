@@ -12,7 +12,7 @@ struct SolidFractionProbe {
       "solid_fraction = Σ_i V_i(bin)/V(bin)   V_i(bin): volume of sphere i in the bin, in 2D area of the disc\n"
       "overlaps of bodies count twice; of region = \"enclosed\" the bin at a wall has what reaches into the wall too\n"
       "with several bins solid_fraction_1, ..., volume_1, ...",
-      "closed forms of spheres cut by planes and spheres; by cylinders, and slices of spheres, integrals to 1e-13"};
+      "closed forms of spheres cut by planes and spheres; by cylinders, cones, and slices of spheres, integrals to 1e-13"};
 
   void declare(scree::Declaration& d) { bins.declare(d); }
   void prepare(const scree::Setup& setup) { bins.check(setup); }

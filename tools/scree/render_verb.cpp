@@ -237,6 +237,11 @@ void add_render_verb(CommandLine& line) {
   verb.option("--out", a->out, "Directory for the images; default: images/ of the run").shown_as("DIR");
   verb.option("--color-by", a->options.color_by, "Field that colours the bodies (default radius)")
       .one_of(fields);
+  const std::vector<std::string> maps(pictures::surface_maps_shown.begin(),
+                                      pictures::surface_maps_shown.end());
+  verb.option("--color-surfaces-by", a->options.color_surfaces_by,
+              "Map on the facets of cylinders, meshes and other surfaces (default none)")
+      .one_of(maps);
   verb.option("--color-range", a->color_range,
               "Values at the ends of the colour bar, SI; default: the range in all snapshots")
       .shown_as("LOW,HIGH");

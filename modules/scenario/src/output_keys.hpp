@@ -87,6 +87,9 @@ struct SnapshotKeys : TableKeys {
   ChoiceKey color_by =
       choice_or_first("color_by", {pictures::color_fields.begin(), pictures::color_fields.end()},
                       "quantity that colours bodies");
+  ChoiceKey color_surfaces_by = choice_or_first(
+      "color_surfaces_by", {pictures::surface_maps_shown.begin(), pictures::surface_maps_shown.end()},
+      "map on the facets of cylinders, meshes and other surfaces; the last with sliding_work = true");
   Key color_range = other("color_range", "[low, high]", Range::any(), "default that of the pictures so far",
                           "values (SI) at the ends of the colour bar");
   Key view = other("view", "\"iso\", \"x\", \"y\", \"z\" or [x, y, z]", Range::any(),

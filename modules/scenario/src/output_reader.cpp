@@ -92,6 +92,7 @@ void read_cut(const document::Table& cut, int dimension, pictures::RenderOptions
 pictures::RenderOptions read_picture(const document::Table& t, int dimension) {
   pictures::RenderOptions picture;
   picture.color_by = read(t, snapshot_keys.color_by);
+  picture.color_surfaces_by = read(t, snapshot_keys.color_surfaces_by);
   if (t.optional(snapshot_keys.color_range)) picture.color_range = read_range(t, snapshot_keys.color_range);
   if (t.has(snapshot_keys.view) && !t.is_string(snapshot_keys.view)) {
     const Vec3 direction = read_vector(t, snapshot_keys.view, 3, true);
@@ -131,9 +132,9 @@ SnapshotPlan read_snapshot(const document::Table& root, int dimension, double st
   if (t->optional(snapshot_keys.image_every))
     plan.image_every = read_interval(*t, snapshot_keys.image_every, step);
   plan.sliding_work = read(*t, snapshot_keys.sliding_work);
-  if (plan.sliding_work && !plan.every)
-    throw t->error(snapshot_keys.sliding_work, "a map of sliding work needs the time between .vtp files",
-                   "give every = <s> too");
+  if (plan.sliding_work && !plan.any())
+    throw t->error(snapshot_keys.sliding_work, "a map of sliding work needs files or pictures",
+                   "give every or image_every = <s> too");
   plan.h5md = read(*t, snapshot_keys.h5md);
   if (plan.h5md && !plan.every)
     throw t->error(snapshot_keys.h5md, "a trajectory needs the time between its frames",
@@ -143,6 +144,9 @@ SnapshotPlan read_snapshot(const document::Table& root, int dimension, double st
   if (plan.film_rate && !plan.image_every)
     throw t->error(snapshot_keys.film, "a film needs pictures", "give image_every = <s> too");
   plan.picture = read_picture(*t, dimension);
+  if (plan.picture.color_surfaces_by == "sliding_work" && !plan.sliding_work)
+    throw t->error(snapshot_keys.color_surfaces_by, "the run keeps no sliding work",
+                   "set sliding_work = true too");
   return plan;
 }
 

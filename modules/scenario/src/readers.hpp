@@ -221,8 +221,8 @@ void check_complete(const document::Table& table, const Parameters& parameters);
 
 // wall_names.cpp
 
-// A list of a probe, in whose keys walls, at_walls, surfaces and at_surfaces a plane or a surface has its name
-// or its number, from 1.
+// A list of a probe; if its key ends with `walls` or `surfaces`, planes or surfaces may have their names in
+// place of their numbers from 1.
 std::vector<double> read_numbers_or_walls(const document::Table& table, const char* key, const Scene& scene);
 
 // program_reader.cpp

@@ -35,6 +35,14 @@ AveragingFrame round_frame(AveragingFrame::Region region, int bins, int along) {
   return f.with_edges();
 }
 
+// Along y, with radii at its ends.
+AveragingFrame cone_frame(double low, double high, int bins) {
+  AveragingFrame f = round_frame(AveragingFrame::cone, bins, 1);
+  f.radius_low = low, f.radius_high = high;
+  f.radius = std::max(low, high);
+  return f.with_edges();
+}
+
 std::vector<double> shares(const AveragingFrame& frame, const Vec3& start, const Vec3& step) {
   std::vector<double> all(std::size_t(frame.bins), 0);
   frame.split_line(start, step, [&](int bin, double share) { all[std::size_t(bin)] += share; });
@@ -61,7 +69,8 @@ TEST_CASE("a line is divided among the bins that it crosses", "[bins]") {
                round_frame(AveragingFrame::sphere, 6, AveragingFrame::radial),
                round_frame(AveragingFrame::sphere, 6, 2), round_frame(AveragingFrame::cylinder, 1, 0),
                round_frame(AveragingFrame::cylinder, 5, AveragingFrame::radial),
-               round_frame(AveragingFrame::cylinder, 5, 1));
+               round_frame(AveragingFrame::cylinder, 5, 1), cone_frame(0, 2, 1), cone_frame(2, 0.3, 4),
+               cone_frame(0.1, 3, 5));
   std::mt19937_64 generator(7);
   std::uniform_real_distribution<double> place(-1, 7), move(-1.5, 1.5);
   for (int n = 0; n < 200; ++n) {
@@ -111,6 +120,8 @@ TEST_CASE("volumes of bins add up to the region", "[bins]") {
   CHECK(sum(round_frame(AveragingFrame::cylinder, 5, AveragingFrame::radial)) ==
         Approx(12 * std::numbers::pi));
   CHECK(sum(round_frame(AveragingFrame::cylinder, 5, 1)) == Approx(12 * std::numbers::pi));
+  for (const int bins : {1, 5}) CHECK(sum(cone_frame(2, 0.5, bins)) == Approx(5.25 * std::numbers::pi));
+  CHECK(cone_frame(0, 2, 2).volume(0) == Approx(std::numbers::pi / 2));
   CHECK(round_frame(AveragingFrame::sphere, 2, AveragingFrame::radial).volume(0) ==
         Approx(4 * std::numbers::pi / 3));
 }
@@ -139,4 +150,11 @@ TEST_CASE("a sphere is divided among bins of a box and shells, across periodic f
   }
   CHECK(sum(round_frame(AveragingFrame::sphere, 6, 0), {3, 2, 3}, 0.3) ==
         Approx(common_volume(3, 2, 0.3, 2)));
+  // In a cone along y from 0.5 m to 3.5 m, of radii 2 m and 0.5 m: inside, in its lower end, cut by its side.
+  for (const int bins : {1, 6}) {
+    CHECK(sum(cone_frame(2, 0.5, bins), {1.2, 2, 3.5}, 0.3) == Approx(whole));
+    CHECK(sum(cone_frame(2, 0.5, bins), {1.2, 0.5, 3.5}, 0.3) == Approx(whole / 2));
+    CHECK(sum(cone_frame(2, 0.5, bins), {2.2, 2.1, 3}, 0.3) ==
+          Approx(sphere_in_round(0.3, {3, true, 1.2, 1.2, 0, -0.5}, -1, 1)));
+  }
 }

@@ -65,7 +65,8 @@ CountedShare counted_share(const RoundRegion& region, double low, double high, u
     if (x * x + y * y + z * z >= 1) continue;
     ++tried;
     const double along = region.cylinder ? 0 : x - region.along, across = y - region.away;
-    inside += x > low && x < high && along * along + across * across + z * z < region.radius * region.radius;
+    const double radius = region.radius + region.slope * x;
+    inside += x > low && x < high && along * along + across * across + z * z < radius * radius;
   }
   const double share = double(inside) / points;
   return {share, std::sqrt(std::max(share * (1 - share), 1.0 / points) / points)};
@@ -115,6 +116,39 @@ TEST_CASE("the volume of a sphere in a cylinder agrees with sums over lines", "[
   }
 }
 
+TEST_CASE("a cone from the centre of a sphere, or from a point of it, or one that holds it", "[volumes]") {
+  for (const double half_angle : {0.1, 0.7, 1.3}) {
+    const double slope = std::tan(half_angle);
+    // A sector with the apex in the centre: 2π/3 (1 − cos α).
+    const double sector = 2 * std::numbers::pi / 3 * (1 - std::cos(half_angle));
+    CHECK(sphere_in_round(1, {3, true, 0, 0, 0, slope}, 0, without_end) == Approx(sector).margin(4e-15));
+    CHECK(sphere_in_round(1, {3, true, 0, 0, 0, -slope}, -without_end, 0) ==
+          Approx(sector).margin(4e-15));  // round-off of the whole sphere
+    // With the apex in its lowest point: what is seen from there, 4π/3 (1 − cos⁴ α).
+    CHECK(sphere_in_round(1, {3, true, slope, 0, 0, slope}, -1, without_end) ==
+          Approx(4 * std::numbers::pi / 3 * (1 - std::pow(std::cos(half_angle), 4))).epsilon(1e-13));
+    // It touches the sphere from outside: R = (r cos α − d cos α) at the centre.
+    const double touching = 1 / std::cos(half_angle);
+    CHECK(sphere_in_round(1, {3, true, touching + 0.5, 0.5, 0, slope}, -without_end, without_end) ==
+          Approx(unit_sphere).epsilon(1e-13));
+    const double axis_behind = 0.5 + touching;
+    CHECK(sphere_in_round(1, {3, true, 0.499999, axis_behind, 0, slope}, -0.1, without_end) < 1e-15);
+  }
+  // A piece of a thin cone inside the sphere.
+  CHECK(sphere_in_round(1, {3, true, 0.2, 0.3, 0, 0.1}, -0.5, 0.5) ==
+        Approx(frustum(0.15, 0.25, 1)).epsilon(1e-14));
+  CHECK(frustum(0, 2, 3) == Approx(4 * std::numbers::pi));
+}
+
+TEST_CASE("a cone of a small slope is a cylinder, and slices of a cone add up", "[volumes]") {
+  const RoundRegion cone = {3, true, 0.6, 0.7, 0, 0.55};
+  double sum = 0;
+  for (int k = 0; k < 9; ++k) sum += sphere_in_round(1, cone, -1 + k * 2.0 / 9, -1 + (k + 1) * 2.0 / 9);
+  CHECK(sum == Approx(sphere_in_round(1, cone, -1, 1)).epsilon(1e-13));
+  CHECK(sphere_in_round(1, {3, true, 0.6, 0.7, 0, 1e-14}, -1, 1) ==
+        Approx(sphere_in_round(1, cylinder_beside(0.6, 0.7), -1, 1)).epsilon(1e-13));
+}
+
 TEST_CASE("slices of a region, and shells, add up to what it has of a sphere", "[volumes]") {
   for (const int dimension : {2, 3}) {
     const RoundRegion region = {dimension, false, 0.8, 0.5, 0.3};
@@ -133,9 +167,11 @@ TEST_CASE("slices of a region, and shells, add up to what it has of a sphere", "
 
 TEST_CASE("slices of spheres and cylinders hold the points that lie in them", "[volumes]") {
   for (const RoundRegion& region :
-       {RoundRegion{3, true, 0.7, 0.6, 0}, RoundRegion{3, false, 0.7, 0.6, 0.2},
-        RoundRegion{3, false, 1.6, 0.9, -0.8}, RoundRegion{2, false, 0.7, 0.6, 0.2},
-        RoundRegion{2, false, 1.6, 0.9, -0.8}, RoundRegion{3, false, 0.4, 0.1, 0.2}}) {
+       {RoundRegion{3, true, 0.7, 0.6, 0}, RoundRegion{3, true, 0.7, 0.6, 0, 0.7},
+        RoundRegion{3, true, 0.9, 0.3, 0, -0.85}, RoundRegion{3, true, 2, 1.7, 0, -1.9},
+        RoundRegion{3, false, 0.7, 0.6, 0.2}, RoundRegion{3, false, 1.6, 0.9, -0.8},
+        RoundRegion{2, false, 0.7, 0.6, 0.2}, RoundRegion{2, false, 1.6, 0.9, -0.8},
+        RoundRegion{3, false, 0.4, 0.1, 0.2}}) {
     unsigned seed = 3;
     for (const double low : {-0.9, -0.3, 0.1, 0.4}) {
       const CountedShare counted = counted_share(region, low, low + 0.5, ++seed);

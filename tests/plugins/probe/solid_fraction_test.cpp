@@ -102,3 +102,29 @@ TEST_CASE("solid_fraction: cylinders, their slices and shells, and slices of sph
   // Four standard deviations of a share of the points.
   CHECK(std::abs(exact - double(inside) / points) < 4 * std::sqrt(exact * (1 - exact) / points));
 }
+
+TEST_CASE("solid_fraction: in a cone, as the walls of a funnel enclose it", "[probe]") {
+  // A sphere of radius 1 m has its lowest point in the lower end of a funnel with half angle arcsin 0.6 and
+  // touches its wall: the wall is at 1/0.8 from the axis at the height of the centre.
+  const double slope = 0.75, at_centre = 1.25;
+  Scene sc = scene(3, 1e-4, {body(1, 1, 1, {{2, 3, 4}}), body(2, 1, 1, {{2, 3, 7.5}})},
+                   {{"normal_stiffness", {1e4}}, {"normal_damping", {0}}});
+  const Simulation s(sc);
+  const Values funnel = {{"region", {4}},
+                         {"centre", {2, 3, 4.5}},
+                         {"radius_low", {at_centre - slope}},
+                         {"radius_high", {at_centre + 2 * slope}},
+                         {"length", {3}}};
+  const double volume = std::numbers::pi * (0.25 + 0.5 * 2.75 + 2.75 * 2.75);
+  const double sphere = 4 * std::numbers::pi / 3;
+  const Sampled whole = sample(s, "solid_fraction", funnel);
+  CHECK(whole["volume"] == Approx(volume));
+  CHECK(whole["solid_fraction"] == Approx(sphere / volume));
+  Values in_bins = funnel;
+  in_bins.insert(in_bins.end(), {{"bins", {3}}, {"along", {2}}});
+  const Sampled bins = sample(s, "solid_fraction", in_bins);
+  CHECK(bins["solid_fraction_1"] * bins["volume_1"] == Approx(sphere / 2));
+  CHECK(bins["solid_fraction_2"] * bins["volume_2"] == Approx(sphere / 2));
+  CHECK(bins["solid_fraction_3"] == 0);
+  CHECK(bins["volume_1"] + bins["volume_2"] + bins["volume_3"] == Approx(volume));
+}

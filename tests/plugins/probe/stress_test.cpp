@@ -125,6 +125,28 @@ TEST_CASE("stress: a scene without walls, and keys that do not fit, are refused"
              Catch::Contains("lower and upper belong to region = \"box\""));
   CHECK_THAT(refusal({{"radius", {1}}}), Catch::Contains("centre and radius belong to region"));
   CHECK_THAT(refusal({{"axis", {0}}}), Catch::Contains("length and axis belong to region = \"cylinder\""));
+  CHECK_THAT(refusal({{"radius_low", {1}}}),
+             Catch::Contains("radius_low and radius_high belong to region = \"cone\""));
+  const Values cone = {{"region", {4}}, {"centre", {0, 0, 0}}, {"radius_low", {1}}, {"radius_high", {0}}};
+  CHECK_THAT(refusal(cone), Catch::Contains("2D scene has no cylinders"));
+  const Simulation spatial(
+      scene(3, 1e-4, {body(1, 1, 1, {{0, 0, 0}})}, {{"normal_stiffness", {5000}}, {"normal_damping", {0}}}));
+  const auto refusal_3d = [&](Values values) {
+    values.insert(values.begin(), cone.begin(), cone.end());
+    return error_line([&] { sample(spatial, "stress", values); });
+  };
+  CHECK_THAT(refusal_3d({}), Catch::Contains("region = \"cone\" lacks length"));
+  CHECK_THAT(refusal_3d({{"length", {1}}, {"radius", {1}}}),
+             Catch::Contains("centre and radius belong to region"));
+  CHECK_THAT(refusal_3d({{"length", {1}}, {"radius_low", {0}}}), Catch::Contains("with one radius above 0"));
+  CHECK_THAT(refusal_3d({{"length", {1}}, {"along", {3}}}),
+             Catch::Contains("shells along = \"radius\" need"));
+  CHECK_THAT(refusal_3d({{"length", {1}}, {"bins", {2}}, {"along", {0}}}),
+             Catch::Contains("bins of a cone lie along its axis"));
+  Scene drum = spatial.scene();
+  add_boundary(drum, "cylinder", {{"point", {0, 0, 0}}, {"axis", {0, 0, 1}}, {"radius", {9}}});
+  CHECK_THAT(error_line([&] { sample(Simulation(drum), "stress"); }),
+             Catch::Contains("not enclosed along x by planes, and this region does not end at cylinders"));
   CHECK_THAT(refusal({{"region", {2}}, {"centre", {0, 0, 0}}, {"radius", {1e200}}}),
              Catch::Contains("is infinite in the numbers of a computer; give a smaller region"));
   CHECK_THAT(refusal({{"region", {1}}, {"lower", {0, 0, 0}}, {"upper", {1e-200, 1e-200, 0}}}),

@@ -15,21 +15,22 @@ namespace scree {
 // A part of space at one time, and its bins of equal width.
 struct AveragingFrame {
   // enclosed: what walls and periodic faces enclose; nothing lies outside.
-  enum Region : int { enclosed, box, sphere, cylinder };
+  enum Region : int { enclosed, box, sphere, cylinder, cone };
   static constexpr int radial = 3;  // of `along`; else an axis
 
   int dimension = 3, along = 0, axis = 2, bins = 1;
   Region region = enclosed;
   Vec3 lower = {}, upper = {}, centre = {}, enclosed_length = {};  // (m)
   Vec3 period = {};                                                // (m) 0 along axes that are not periodic
-  double radius = 0, length = 0;                                   // (m)
-  double first_edge = 0, width = 0;                                // (m) of the bins
+  double radius = 0, length = 0;                                   // (m) radius of a cone: the larger one
+  double radius_low = 0, radius_high = 0;  // (m) of a cone, at its ends along its axis
+  double first_edge = 0, width = 0;        // (m) of the bins
 
   AveragingFrame with_edges() const {
     AveragingFrame f = *this;
     if (round()) {
       for (int k = 0; k < 3; ++k) {
-        const double half = region == cylinder && k == axis ? length / 2 : radius;
+        const double half = has_axis() && k == axis ? length / 2 : radius;
         f.lower[k] = centre[k] - half;
         f.upper[k] = centre[k] + half;
       }
@@ -49,6 +50,9 @@ struct AveragingFrame {
     }
     if (along == radial) return within(high) - within(low);
     if (region == cylinder) return within(radius) / bins;
+    if (region == cone)
+      return bins == 1 ? frustum(radius_low, radius_high, length)
+                       : frustum(radius_at(low), radius_at(high), width);
     const auto beyond = [&](double from) {
       return dimension == 2 ? detail::disc_beyond(radius, from - centre[along])
                             : detail::sphere_beyond(radius, from - centre[along]);
@@ -66,10 +70,10 @@ struct AveragingFrame {
   // The bin of a point, or −1 if it lies outside.
   int bin_of(const Vec3& point) const {
     const Vec3 x = nearest_image(point);
-    if (region == box || region == cylinder)
+    if (region == box || has_axis())
       for (int k = 0; k < dimension; ++k)
         if ((region == box || k == axis) && !(x[k] >= lower[k] && x[k] < upper[k])) return -1;
-    if (round() && !(distance(x) < radius)) return -1;
+    if (round() && !(distance(x) < (region == cone ? radius_at(x[axis]) : radius))) return -1;
     const double u = along == radial ? distance(x) : x[along];
     if (bins == 1) return 0;
     return std::clamp(int(std::floor((u - first_edge) / width)), 0, bins - 1);
@@ -98,7 +102,11 @@ struct AveragingFrame {
   }
 
  private:
-  bool round() const { return region == sphere || region == cylinder; }
+  bool round() const { return region == sphere || has_axis(); }
+  bool has_axis() const { return region == cylinder || region == cone; }
+  double slope() const { return region == cone ? (radius_high - radius_low) / length : 0; }
+  // Of a cone at a height along its axis (m); below 0 beyond its apex.
+  double radius_at(double height) const { return radius_low + slope() * (height - lower[axis]); }
   double length_along(int k) const { return region == enclosed ? enclosed_length[k] : upper[k] - lower[k]; }
 
   // Volume of the region within a distance of the centre or axis.
@@ -110,7 +118,7 @@ struct AveragingFrame {
   double distance(const Vec3& x) const {
     double sum = 0;
     for (int k = 0; k < dimension; ++k)
-      if (region != cylinder || k != axis) sum += (x[k] - centre[k]) * (x[k] - centre[k]);
+      if (!has_axis() || k != axis) sum += (x[k] - centre[k]) * (x[k] - centre[k]);
     return std::sqrt(sum);
   }
   // Calls visit(start) for each periodic image of a line that may reach into the region.
@@ -153,25 +161,42 @@ struct AveragingFrame {
   Interval inside(const Vec3& start, const Vec3& step, double limit) const {
     double a = 0, b = 0, c = -limit * limit;
     for (int k = 0; k < dimension; ++k) {
-      if (region == cylinder && k == axis) continue;
+      if (has_axis() && k == axis) continue;
       const double off = start[k] - centre[k];
       a += step[k] * step[k];
       b += step[k] * off;
       c += off * off;
     }
+    if (region == cone) return inside_cone(a, b, c + limit * limit, start, step);
     if (a == 0) return c < 0 ? Interval{-infinite, infinite} : Interval{0, -1};
     const double root = b * b - a * c;
     if (!(root > 0)) return {0, -1};
     return {(-b - std::sqrt(root)) / a, (-b + std::sqrt(root)) / a};
   }
 
+  // Where the squared distance a t² + 2 b t + c of a line from the axis is below the cone's, within its ends.
+  Interval inside_cone(double a, double b, double c, const Vec3& start, const Vec3& step) const {
+    const double radius_here = radius_at(start[axis]), growth = slope() * step[axis];
+    a -= growth * growth, b -= radius_here * growth, c -= radius_here * radius_here;
+    if (a == 0) {
+      if (b == 0) return c < 0 ? Interval{-infinite, infinite} : Interval{0, -1};
+      return b > 0 ? Interval{-infinite, -0.5 * c / b} : Interval{-0.5 * c / b, infinite};
+    }
+    const double square = b * b - a * c;
+    if (!(square > 0)) return a > 0 ? Interval{0, -1} : Interval{-infinite, infinite};
+    const double root = std::sqrt(square);
+    if (a > 0) return {(-b - root) / a, (-b + root) / a};
+    // Steeper than the cone: it enters it once, and its mirror image beyond the apex at the other place.
+    return growth > 0 ? Interval{(-b - root) / a, infinite} : Interval{-infinite, (-b + root) / a};
+  }
+
   template <class Add>
   void split_image(const Vec3& start, const Vec3& step, const Add& add) const {
     Interval line = {0, 1};
     for (int k = 0; k < dimension; ++k)
-      if (region == box || (region == cylinder && k == axis))
+      if (region == box || (has_axis() && k == axis))
         line = line.cut(between(start[k], step[k], lower[k], upper[k]));
-    if (region == sphere || (region == cylinder && along != radial))
+    if (region == sphere || region == cone || (region == cylinder && along != radial))
       line = line.cut(inside(start, step, radius));
     if (!(line.from < line.to)) return;
     if (bins == 1 && along != radial) return add(0, line.size());
@@ -224,7 +249,8 @@ struct AveragingFrame {
   // Part of a sphere within a distance of the centre or axis of the region.
   double part_within(const Vec3& x, double size, double limit) const {
     if (region == sphere) return common_volume(dimension, size, limit, distance(x));
-    return sphere_in_round(size, {3, true, limit, distance(x), 0}, lower[axis] - x[axis],
+    const double radius_here = region == cone ? radius_at(x[axis]) : limit;
+    return sphere_in_round(size, {3, true, radius_here, distance(x), 0, slope()}, lower[axis] - x[axis],
                            upper[axis] - x[axis]);
   }
   template <class Add>
@@ -242,7 +268,8 @@ struct AveragingFrame {
     double square = 0;
     for (int k = 0; k < dimension; ++k)
       if (k != along) square += off[k] * off[k];
-    const RoundRegion beside = {dimension, region == cylinder, radius, std::sqrt(square), -off[along]};
+    const double radius_here = region == cone ? radius_at(x[axis]) : radius;
+    const RoundRegion beside = {dimension, has_axis(), radius_here, std::sqrt(square), -off[along], slope()};
     for (int bin = first_bin(x, size); bin <= last_bin(x, size); ++bin)
       add_if_any(bin, sphere_in_round(size, beside, low_edge(bin) - x[along], high_edge(bin) - x[along]),
                  add);

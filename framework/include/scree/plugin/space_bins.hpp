@@ -28,7 +28,8 @@ namespace scree {
 struct SpaceBins {
   int region = AveragingFrame::enclosed, along = 0, axis = 2, bins = 1;
   std::optional<std::array<double, 3>> lower, upper, centre;
-  double radius = std::numeric_limits<double>::quiet_NaN(), length = radius, follow = 0;
+  double radius = std::numeric_limits<double>::quiet_NaN(), length = radius, radius_low = radius,
+         radius_high = radius, follow = 0;
 
   void declare(Declaration& d) {
     declare_region(d);
@@ -38,14 +39,21 @@ struct SpaceBins {
   }
   // For a probe with one bin.
   void declare_region(Declaration& d) {
-    d.choice("region", region, "enclosed|box|sphere|cylinder",
-             "where bodies and contacts count; enclosed: between the walls, or a period");
+    d.choice("region", region, "enclosed|box|sphere|cylinder|cone",
+             "where bodies and contacts count; enclosed: between planes, or a period");
     d.vector("lower", lower, "m", "lower corner of region = \"box\"");
     d.vector("upper", upper, "m", "upper corner of region = \"box\"");
-    d.vector("centre", centre, "m", "of region = \"sphere\" or \"cylinder\"; with follow, from that body on");
+    d.vector("centre", centre, "m",
+             "of region = \"sphere\", \"cylinder\" or \"cone\"; with follow, from that body on");
     d.number("radius", radius, "m", positive, "of region = \"sphere\" or \"cylinder\"").optional();
-    d.number("length", length, "m", positive, "of region = \"cylinder\" along its axis").optional();
-    d.choice("axis", axis, "x|y|z", "of region = \"cylinder\"");
+    d.number("radius_low", radius_low, "m", non_negative,
+             "of region = \"cone\" at its lower end along its axis")
+        .optional();
+    d.number("radius_high", radius_high, "m", non_negative, "of region = \"cone\" at its upper end")
+        .optional();
+    d.number("length", length, "m", positive, "of region = \"cylinder\" or \"cone\" along its axis")
+        .optional();
+    d.choice("axis", axis, "x|y|z", "of region = \"cylinder\" or \"cone\"");
     d.number("follow", follow, "", body_ids, "id of a body with which the region moves").optional();
   }
 
@@ -53,19 +61,25 @@ struct SpaceBins {
     check_that_keys_count(setup);
     if (region == AveragingFrame::box && !(lower && upper))
       return setup.refuse("region = \"box\" lacks lower or upper; add both corners");
-    if (round() && (!centre || std::isnan(radius)))
+    if (round() && !is_cone() && (!centre || std::isnan(radius)))
       return setup.refuse("the region lacks centre or radius; add both");
-    if (region == AveragingFrame::cylinder && setup.dimension() == 2)
+    if (is_cone() && !(centre && radius_low + radius_high > 0))
+      return setup.refuse(
+          "the cone lacks centre, radius_low or radius_high; add all, with one radius above 0");
+    if (has_axis() && setup.dimension() == 2)
       return setup.refuse("a 2D scene has no cylinders; choose region = \"sphere\", which is a circle there");
-    if (region == AveragingFrame::cylinder && std::isnan(length))
-      return setup.refuse("region = \"cylinder\" lacks length; add it");
-    if (along == AveragingFrame::radial && !round())
+    if (has_axis() && std::isnan(length))
+      return setup.refuse(is_cone() ? "region = \"cone\" lacks length; add it"
+                                    : "region = \"cylinder\" lacks length; add it");
+    if (along == AveragingFrame::radial && (!round() || is_cone()))
       return setup.refuse("shells along = \"radius\" need region = \"sphere\" or \"cylinder\"; choose one");
+    if (is_cone() && bins > 1 && along != axis)
+      return setup.refuse("bins of a cone lie along its axis; set along to it");
     if (along == 2 && setup.dimension() == 2) return setup.refuse("a 2D scene has no z axis; choose x or y");
     if (region == AveragingFrame::cylinder && bins > 1 && along != AveragingFrame::radial && along != axis)
       return setup.refuse("bins of a cylinder lie along its axis or its radius; choose one of them");
     if (follow > 0 && region == AveragingFrame::enclosed)
-      return setup.refuse("a region that follows a body is a box, sphere or cylinder; choose one");
+      return setup.refuse("a region that follows a body is a box, sphere, cylinder or cone; choose one");
     for (int k = 0; region == AveragingFrame::box && k < setup.dimension(); ++k)
       if (!((*lower)[std::size_t(k)] < (*upper)[std::size_t(k)]))
         return setup.refuse(
@@ -84,7 +98,7 @@ struct SpaceBins {
                (view.surface_count == 0
                     ? "; give region = \"box\" with lower and upper"
                     : " by planes, and this region does not end at cylinders, meshes and other "
-                      "surfaces; give region = \"cylinder\", \"sphere\" or \"box\"");
+                      "surfaces; give region = \"cylinder\", \"cone\", \"sphere\" or \"box\"");
       if (region == AveragingFrame::enclosed && bins > 1 && along == k && view.period[k] > 0)
         return std::string("bins along the periodic axis ") + name +
                " have no first one; give region = \"box\" with lower and upper";
@@ -130,20 +144,27 @@ struct SpaceBins {
     f.bins = bins;
     for (int k = 0; k < 3; ++k) set_axis(view, from, k, f);
     if (centre) f.centre = from + Vec3{{(*centre)[0], (*centre)[1], (*centre)[2]}};
-    f.radius = radius;
+    f.radius = is_cone() ? std::max(radius_low, radius_high) : radius;
+    f.radius_low = radius_low;
+    f.radius_high = radius_high;
     f.length = length;
     return f.with_edges();
   }
-  bool round() const { return region == AveragingFrame::sphere || region == AveragingFrame::cylinder; }
+  bool is_cone() const { return region == AveragingFrame::cone; }
+  bool has_axis() const { return region == AveragingFrame::cylinder || is_cone(); }
+  bool round() const { return region == AveragingFrame::sphere || has_axis(); }
   // Keys of another region would change nothing.
   void check_that_keys_count(const Setup& setup) const {
     if (region != AveragingFrame::box && (lower || upper))
       return setup.refuse("lower and upper belong to region = \"box\"; set it, or remove them");
-    if (!round() && (centre || !std::isnan(radius)))
+    if ((!round() && centre) || ((!round() || is_cone()) && !std::isnan(radius)))
       return setup.refuse(
           "centre and radius belong to region = \"sphere\" or \"cylinder\"; set it, or remove them");
-    if (region != AveragingFrame::cylinder && (!std::isnan(length) || axis != 2))
-      return setup.refuse("length and axis belong to region = \"cylinder\"; set it, or remove them");
+    if (!is_cone() && !(std::isnan(radius_low) && std::isnan(radius_high)))
+      return setup.refuse("radius_low and radius_high belong to region = \"cone\"; set it, or remove them");
+    if (!has_axis() && (!std::isnan(length) || axis != 2))
+      return setup.refuse(
+          "length and axis belong to region = \"cylinder\" or \"cone\"; set it, or remove them");
   }
   // (m) 0 if the region follows none.
   Vec3 place_of_followed(const scree_view& view) const {
@@ -159,7 +180,7 @@ struct SpaceBins {
   }
   double extent(int k) const {
     if (region == AveragingFrame::box) return (*upper)[std::size_t(k)] - (*lower)[std::size_t(k)];
-    return region == AveragingFrame::cylinder && k == axis ? length : 2 * radius;
+    return has_axis() && k == axis ? length : 2 * (is_cone() ? std::max(radius_low, radius_high) : radius);
   }
   void set_axis(const scree_view& view, const Vec3& from, int k, AveragingFrame& f) const {
     f.period[k] = view.period[k];

@@ -8,19 +8,25 @@
 #include <scree/plugin/quadrature.hpp>
 #include <scree/plugin/sphere_volumes.hpp>
 
-// Volumes of spheres in cylinders and in slices of spheres, as integrals of sections.
+// Volumes of spheres in cylinders, cones and slices of spheres, as integrals of sections.
 
 namespace scree {
 
-// A round region beside a sphere at the origin: a cylinder along x, or another sphere. In two dimensions both
-// spheres are discs, and sections are lines.
+// A round region beside a sphere at the origin: a cylinder or a cone along x, or another sphere. In two
+// dimensions both spheres are discs, and sections are lines.
 struct RoundRegion {
   int dimension = 3;
   bool cylinder = true;
-  double radius = 0;  // (m)
+  double radius = 0;  // (m) of a cone at x = 0, where it may be below 0
   double away = 0;    // (m) ≥ 0 distance of its centre or axis from the x axis
   double along = 0;   // (m) x of the centre of a sphere
+  double slope = 0;   // of the radius of a cone along x, which is not below 0 where its volume is asked for
 };
+
+// Volume (m³) of a cone between two sections, given their radii (m).
+inline double frustum(double radius, double other, double length) {
+  return std::numbers::pi / 3 * length * (radius * radius + radius * other + other * other);
+}
 
 namespace detail {
 
@@ -53,18 +59,20 @@ class RoundSections {
     return std::sqrt(std::max(0.0, (radius - x) * (radius + x)));
   }
   double region_section(double x) const {
+    if (region_.slope != 0) return std::max(0.0, region_.radius + region_.slope * x);
     return region_.cylinder ? region_.radius : section(region_.radius, x - region_.along);
   }
 
   // Where the circles of both sections touch each other, from within or from outside: cut[2] to cut[5].
   void touching_sections(std::array<double, 6>& cut) const {
     if (region_.cylinder) {
-      const double inner = section(size_, std::abs(region_.away - region_.radius));
-      const double outer = section(size_, region_.away + region_.radius);
-      cut[2] = -inner;
-      cut[3] = -outer;
-      cut[4] = outer;
-      cut[5] = inner;
+      for (const int side : {-1, 1}) {
+        // R² − x² = (d ± (r + s x))².
+        const double s = side * region_.slope, from_axis = region_.away + side * region_.radius;
+        const double square = 1 + s * s, root = section(size_ * std::sqrt(square), from_axis);
+        cut[side < 0 ? 2 : 4] = (-from_axis * s - root) / square;
+        cut[side < 0 ? 3 : 5] = (-from_axis * s + root) / square;
+      }
       return;
     }
     // The ends, along x, of the circle in which the surfaces of both spheres meet.
@@ -85,6 +93,7 @@ class RoundSections {
     if (own + other <= region_.away) return 0;
     if (own - other <= -region_.away) return slice(size_, from, to);
     if (own - other >= region_.away) {
+      if (region_.slope != 0) return frustum(region_section(from), region_section(to), to - from);
       if (region_.cylinder) return std::numbers::pi * other * other * (to - from);
       return slice(region_.radius, from - region_.along, to - region_.along);
     }
@@ -92,9 +101,11 @@ class RoundSections {
       return common_section(region_.dimension, section(size_, x), region_section(x), region_.away);
     };
     // A section of a large region is known to round-off of its radius.
-    const double smaller = std::min(size_, region_.radius);
+    const double radius =
+        region_.slope != 0 ? std::max(region_section(from), region_section(to)) : region_.radius;
+    const double smaller = std::min(size_, radius);
     const double tolerance =
-        3e-16 * volume_of_sphere(region_.dimension, smaller) * std::max(1.0, 0.01 * region_.radius / smaller);
+        3e-16 * volume_of_sphere(region_.dimension, smaller) * std::max(1.0, 0.01 * radius / smaller);
     return integral_with_root_ends(common, from, to, tolerance);
   }
   double slice(double radius, double from, double to) const {

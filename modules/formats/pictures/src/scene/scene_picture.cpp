@@ -71,6 +71,8 @@ vtkNew<Panel> make_panel(const Frame& frame, const RenderOptions& options, const
   if (shrinks_spheres(frame, options))
     panel->note =
         fmt::format("spheres: at {:g} of their radius; {}", sphere_scale_among_contacts, panel->note);
+  if (const std::string surfaces = surface_note(frame, options.color_surfaces_by); !surfaces.empty())
+    panel->note = panel->note.empty() ? surfaces : panel->note + "; " + surfaces;
   return panel;
 }
 
@@ -177,7 +179,7 @@ Picture picture_of(OffscreenContext& context, const Frame& whole, const ArrowFie
   else
     add_particles(scene, frame, options, field, camera, layout, context.depth_memory);
   if (options.show_contacts) add_contacts(scene, frame, options.strong_contacts);
-  if (options.show_walls) add_walls(scene, frame, box, axes, layout.pixel_scale);
+  if (options.show_walls) add_walls(scene, frame, box, axes, layout.pixel_scale, options.color_surfaces_by);
   camera.apply(scene);
 
   vtkNew<vtkRenderer> background;  // white behind the parts outside the panel of the scene

@@ -1,18 +1,26 @@
 #include "wall_actors.hpp"
 
+#include "files/vtp.hpp"
 #include "flat_actor.hpp"
 #include "half_space.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include <fmt/format.h>
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkCleanPolyData.h>
 #include <vtkFeatureEdges.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <scree/charts/scaled_unit.hpp>
+#include <scree/error.hpp>
 
 namespace scree::pictures {
 namespace {
@@ -63,6 +71,57 @@ std::vector<Point> wall_outline(const Frame& frame, std::size_t index, const Sce
   return outline;
 }
 
+// The values of a map for the cells of a surface; none if no map is shown.
+const std::vector<double>& values_of(const Surface& surface, const std::string& map) {
+  static const std::vector<double> none;
+  for (const SurfaceMap& known : surface_maps)
+    if (map == known.name) return surface.*known.values;
+  return none;
+}
+
+double largest_of(const Frame& frame, const std::string& map) {
+  double largest = 0;
+  for (const Surface& surface : frame.surfaces)
+    for (const double value : values_of(surface, map)) largest = std::max(largest, value);
+  return largest;
+}
+
+// From pale yellow to dark red.
+void insert_color(vtkUnsignedCharArray* colors, double share) {
+  constexpr double pale[3] = {253, 224, 160}, dark[3] = {150, 0, 40};
+  unsigned char color[3];
+  for (int k = 0; k < 3; ++k)
+    color[k] = static_cast<unsigned char>(std::lround(pale[k] + share * (dark[k] - pale[k])));
+  colors->InsertNextTypedTuple(color);
+}
+
+// Facets with values above 0. Opaque: the order in which they are drawn does not matter.
+void add_colored_cells(vtkRenderer* renderer, const Frame& frame, const std::string& map, int pixel_scale) {
+  const double largest = largest_of(frame, map);
+  const auto corners = std::size_t(frame.dimension);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
+  for (const Surface& surface : frame.surfaces) {
+    const std::vector<double>& values = values_of(surface, map);
+    for (std::size_t cell = 0; cell < values.size(); ++cell) {
+      if (!(values[cell] > 0)) continue;
+      cells->InsertNextCell(frame.dimension);
+      for (std::size_t k = 0; k < corners; ++k)
+        cells->InsertCellPoint(
+            points->InsertNextPoint(surface.points.data() + 3 * surface.cells[corners * cell + k]));
+      insert_color(colors, values[cell] / largest);
+    }
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  frame.dimension == 2 ? data->SetLines(cells) : data->SetPolys(cells);
+  data->GetCellData()->SetScalars(colors);
+  add_flat_actor(renderer, data)->SetLineWidth(float(6 * pixel_scale));
+}
+
 // Surfaces of any shape: translucent, with lines where they end or bend sharply, in 2D as lines.
 void add_surfaces(vtkRenderer* renderer, const Frame& frame, int pixel_scale) {
   constexpr double sharp_degrees = 20;
@@ -99,8 +158,23 @@ void add_surfaces(vtkRenderer* renderer, const Frame& frame, int pixel_scale) {
 
 }  // namespace
 
+std::string surface_note(const Frame& frame, const std::string& map) {
+  if (map == "none") return "";
+  for (const Surface& surface : frame.surfaces)
+    if (values_of(surface, map).empty())
+      throw Error(fmt::format("color_surfaces_by: these snapshots have no {0}; run the scene {1}", map,
+                              map == vtp::sliding_work ? "with sliding_work = true in [snapshot]" : "again"));
+  if (frame.surfaces.empty()) return "no surfaces";
+  const charts::ScaledUnit unit =
+      charts::scaled_unit(largest_of(frame, map), map == vtp::sliding_work ? "J/m^2" : "Pa");
+  std::string words = map;
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return fmt::format("surfaces: {}, darkest {:.3g} {}", words, largest_of(frame, map) * unit.factor,
+                     unit.symbol);
+}
+
 void add_walls(vtkRenderer* renderer, const Frame& frame, const SceneBox& box, const ViewAxes& axes,
-               int pixel_scale) {
+               int pixel_scale, const std::string& map) {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> faces, edges;
@@ -125,6 +199,7 @@ void add_walls(vtkRenderer* renderer, const Frame& frame, const SceneBox& box, c
   set_face_look(add_flat_actor(renderer, face_data));
   set_edge_look(add_flat_actor(renderer, edge_data), (frame.dimension == 2 ? 3.0 : 1.5) * pixel_scale);
   if (!frame.surfaces.empty()) add_surfaces(renderer, frame, pixel_scale);
+  if (map != "none") add_colored_cells(renderer, frame, map, pixel_scale);
 }
 
 }  // namespace scree::pictures

@@ -26,6 +26,9 @@ inline constexpr std::array<std::string_view, 17> color_fields = {"radius",
                                                                   "material",
                                                                   "group",
                                                                   "id"};
+// Maps by which surfaces may be coloured, see pictures::Surface.
+inline constexpr std::array<std::string_view, 4> surface_maps_shown = {"none", "normal_stress",
+                                                                       "shear_stress", "sliding_work"};
 inline constexpr std::array<std::string_view, 4> view_names = {"iso", "x", "y", "z"};
 
 // Options for drawing a frame.
@@ -33,6 +36,7 @@ struct RenderOptions {
   int width = 1200;                                  // (pixels) 200 to 8000
   int height = 900;                                  // (pixels) 200 to 8000
   std::string color_by = "radius";                   // one of color_fields; vectors are shown by magnitude
+  std::string color_surfaces_by = "none";            // one of surface_maps_shown
   std::string view;                                  // one of view_names; empty: iso. In 2D always z
   std::optional<std::array<double, 3>> direction{};  // from the scene towards the viewer, instead of a view
   bool show_contacts = false;    // as bars; in 3D the spheres are drawn smaller so that the bars are visible
