@@ -60,6 +60,22 @@ TEST_CASE("what a picture shows is read from [snapshot]", "[scenario]") {
   CHECK_THAT(refused("cut = { w = [1, 0] }\n"), Catch::Contains("unknown key 'w'"));
 }
 
+TEST_CASE("a map of sliding work is kept if it is asked for, and can be", "[scenario]") {
+  const std::string kept = "[snapshot]\nevery = 1e-4\nsliding_work = true\n";
+  CHECK(plan_of(discs + kept).scene.sliding_work);
+  CHECK_FALSE(plan_of(discs + std::string("[snapshot]\nevery = 1e-4\n")).scene.sliding_work);
+  CHECK(plan_of(discs + kept + "color_surfaces_by = 'sliding_work'\n").snapshot.picture.color_surfaces_by ==
+        "sliding_work");
+  CHECK(plan_of(discs + std::string("[snapshot]\n")).snapshot.picture.color_surfaces_by == "none");
+  CHECK_THAT(refusal(discs + std::string("[snapshot]\nsliding_work = true\n")),
+             Catch::Contains("a map of sliding work needs files or pictures; give every"));
+  CHECK_THAT(refusal(discs + std::string("[snapshot]\nevery = 1e-4\ncolor_surfaces_by = 'sliding_work'\n")),
+             Catch::Contains("the run keeps no sliding work; set sliding_work = true too"));
+  CHECK_THAT(
+      refusal(with(discs, "plugin = 'energy'", "plugin = 'momentum'") + kept, {"time.energy_audit=false"}),
+      Catch::Contains("snapshot.sliding_work needs the energy audit"));
+}
+
 TEST_CASE("pictures by group keep the bodies of all groups, and need one", "[scenario]") {
   const std::string groups =
       "[[group]]\nname = 'low'\nwhere = { y = [0, 0.02] }\nfixed = true\n"
