@@ -3,6 +3,10 @@
 #include "pulse.hpp"
 #include "sweep.hpp"
 
+#include <string>
+#include <string_view>
+#include <utility>
+
 #include <catch2/catch.hpp>
 
 #include <scree/run/set_up.hpp>
@@ -59,6 +63,41 @@ TEST_CASE("three methods agree where a force presses a wall, driven by either wa
       // (ωh)²/24 = 6e-5 of the frequency at a Q below 20, and γ h/m = 2.5e-3 of the damping.
       CHECK(std::abs(pulse.columns[c].response[k] - linear.columns[c].response[k]) < 3e-3 * size);
       CHECK(std::abs(swept.columns[c].response[k] - pulse.columns[c].response[k]) < 1e-4 * size);
+    }
+}
+
+// Discs instead of the planes.
+std::string between_discs(std::string scene) {
+  for (const auto& [plane, disc] : {std::pair{"plugin = 'plane'", "plugin = 'disc'\nradius = 0.1"},
+                                    {"'walls'", "'surfaces'"},
+                                    {"walls = [2]", "surfaces = [2]"}})
+    for (std::size_t at = 0; (at = scene.find(plane)) != std::string::npos;)
+      scene.replace(at, std::string_view(plane).size(), disc);
+  return scene;
+}
+
+// Derivatives of the same forces: round-off. The pulse has the round-off of positions of 1e-2 m, 1e-18 m,
+// over amplitudes of 1e-8 m, in 1e5 steps at random.
+TEST_CASE("surfaces drive a chain, and are pressed, as planes", "[spectrum]") {
+  const auto drive = GENERATE("floor.displacement", "lid.superposed");
+  const std::string planes = pressed_chain(
+      fmt::format("drive = '{}'\nfrom_hz = 40\nto_hz = 120\nstep_hz = 20\npulse.decay = 1e-6\n", drive));
+  const auto spectra = [](std::string scene) {
+    const std::size_t observed = scene.find(", 'walls.displacement_z_2', 'walls.velocity_2'");
+    scene.erase(observed, std::string_view(", 'walls.displacement_z_2', 'walls.velocity_2'").size());
+    const scenario::Plan plan = driven_plan_of(scene);
+    const Start start{plan, *read_spectrum(plan), plan.scene, run::set_up(plan)->state()};
+    return std::pair{linear_spectrum(start), pulse_spectrum(start)};
+  };
+  const auto [linear, pulse] = spectra(planes);
+  const auto [linear_of_discs, pulse_of_discs] = spectra(between_discs(planes));
+  for (const std::size_t c : {0u, 1u})
+    for (std::size_t k = 0; k < linear.frequencies.size(); ++k) {
+      CAPTURE(drive, c, linear.frequencies[k]);
+      const double size = std::abs(linear.columns[c].response[k]);
+      CHECK(size > 0);
+      CHECK(std::abs(linear_of_discs.columns[c].response[k] - linear.columns[c].response[k]) < 1e-9 * size);
+      CHECK(std::abs(pulse_of_discs.columns[c].response[k] - pulse.columns[c].response[k]) < 1e-6 * size);
     }
 }
 
