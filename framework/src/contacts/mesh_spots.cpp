@@ -29,10 +29,10 @@ const std::vector<NearestPoint>& MeshSpots::find(const TriangleMesh& mesh, const
                                                  const Key& key, const SpotQuery& query) {
   if (next_ == surroundings_.size()) surroundings_.push_back(known_before(key));
   Surroundings& of = surroundings_[next_++];
-  double moved = norm(query.centre - of.centre);
-  if (!(moved <= margin * query.reach)) {
+  Vec3 moved = query.centre - of.centre;
+  if (!(norm(moved) <= margin * query.reach)) {
     mesh.triangles().find_near(query.centre, distance_slack * (1 + margin) * query.reach, of.near);
-    of.centre = query.centre, moved = 0;
+    of.centre = query.centre, moved = {};
   }
   return finder_.find(mesh, rule, {query.centre, query.reach, query.most, moved}, of.near);
 }

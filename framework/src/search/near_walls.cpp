@@ -2,6 +2,7 @@
 
 #include "surfaces/placed_surface.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -9,26 +10,43 @@ namespace scree {
 
 namespace {
 
+// Looks at the triangles near a body.
+std::size_t spots_of_mesh(const TriangleMesh& mesh, const SpotRule& rule, const Vec3& here, double radius,
+                          double skin, NearWalls::Clearance& known, std::vector<NearTriangle>& near) {
+  // Beyond some skins a bound will do: from the axis of a drum all triangles are equally near.
+  constexpr double skins = 30;
+  // In skins, further than the skin: the more, the more triangles, but the less often.
+  constexpr double margin = 1;
+  const double reach = radius + skin;
+  known.smooth_skin = (1 + margin) * skin;
+  mesh.triangles().find_near(here, radius + known.smooth_skin, near);
+  known.smooth_travel = smooth_travel(mesh, rule, here, near);
+  if (near.empty())
+    known.distance = mesh.triangles().nearest(here, radius + skins * skin).distance - radius;
+  else
+    known.distance = near[0].distance - radius;
+  const auto beyond =
+      std::find_if(near.begin(), near.end(), [&](const NearTriangle& n) { return !(n.distance <= reach); });
+  return spots_possible(mesh, rule, here, std::span(near.begin(), beyond));
+}
+
 // Most spots in which a body may touch a surface before the next search. known: from an earlier call.
 std::size_t spots_near(const PlacedSurface& surface, const Sphere& body, double skin, double approached,
                        NearWalls::Clearance& known, std::vector<NearTriangle>& near) {
   const bool jumps = surface.distance_jumps();
   if (!jumps && known.distance - (approached - known.approached) >= skin) return 0;
   const Vec3 here = surface.in_frame(body.position);
-  if (!jumps && known.distance - norm(here - known.centre) >= skin) return 0;
+  const double moved = norm(here - known.centre);
+  if (!jumps && known.distance - moved >= skin) return 0;
+  if (moved < known.smooth_travel && skin + moved < known.smooth_skin &&
+      known.distance + moved < skin / distance_slack)
+    return 1;
   known.centre = here, known.approached = approached;
   if (!surface.mesh()) {
     known.distance = surface.nearest(body.position).distance - body.radius;
     return known.distance < skin;
   }
-  const TriangleTree& triangles = surface.mesh()->triangles();
-  triangles.find_near(here, body.radius + skin, near);
-  // Beyond some skins a bound will do: from the axis of a drum all triangles are equally near.
-  constexpr double skins = 30;
-  const double nearest =
-      near.empty() ? triangles.nearest(here, body.radius + skins * skin).distance : near[0].distance;
-  known.distance = nearest - body.radius;
-  return spots_possible(*surface.mesh(), surface.rule(), here, near);
+  return spots_of_mesh(*surface.mesh(), surface.rule(), here, body.radius, skin, known, near);
 }
 
 // Walls near the bodies of a range, of each body in the order of their numbers.
@@ -67,7 +85,7 @@ std::vector<PlanePair> NearWalls::find(std::span<const Sphere> bodies,
     forget();
   constexpr double unknown = -std::numeric_limits<double>::infinity();
   if (clearances_.size() != bodies.size() * surfaces.size())
-    clearances_.assign(bodies.size() * surfaces.size(), {{}, unknown, 0});
+    clearances_.assign(bodies.size() * surfaces.size(), {{}, unknown, 0, 0, 0});
   // Bodies that are folded into a period come to other places of surfaces.
   const double approached = boundaries.domain().any_periodic() ? -unknown : approached_;
   std::vector<std::vector<PlanePair>> near(tiles.size());

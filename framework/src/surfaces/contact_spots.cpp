@@ -3,6 +3,7 @@
 #include "machine/instruction_levels.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 
 namespace scree {
@@ -22,19 +23,44 @@ SpotCandidate candidate_on(const TriangleTree& triangles, std::uint32_t t, const
   return {nearest.point, distance > 0 ? 1 / distance * away : triangle.normal, distance, t, nearest.part};
 }
 
-// Of all triangles within the reach; if one spot is wanted, of all that may be the nearest.
+// Largest lower bound of the distance (m) with which a triangle may come as near as another one: bounds have
+// round-off, and those without a direction may be too large by more.
+double largest_bound(double distance, const SpotQuery& query) {
+  return distance + 2 * TriangleTree::hidden * query.reach;
+}
+
+bool is_nearer(const SpotCandidate& a, const SpotCandidate& b) {
+  return std::tie(a.distance, a.triangle) < std::tie(b.distance, b.triangle);
+}
+
+// Of all triangles within the reach.
 SCREE_EVERY_LEVEL_INLINED void find_candidates(const TriangleTree& triangles, const SpotQuery& query,
                                                std::span<const NearTriangle> near,
                                                std::vector<SpotCandidate>& candidates) {
-  candidates.clear();
-  double furthest = query.reach;
   for (const NearTriangle& triangle : near) {
-    if (triangle.distance - query.moved > distance_slack * furthest) return;
+    if (triangle.least_distance(query.moved) > largest_bound(query.reach, query)) continue;
     const SpotCandidate c = candidate_on(triangles, triangle.triangle, query.centre);
-    if (!(c.distance < query.reach)) continue;
-    candidates.push_back(c);
-    if (query.most == 1) furthest = std::min(furthest, c.distance);
+    if (c.distance < query.reach) candidates.push_back(c);
   }
+  std::sort(candidates.begin(), candidates.end(), is_nearer);
+}
+
+// The nearest one alone. The triangle that is asked first is mostly it: few others can be as near.
+SCREE_EVERY_LEVEL_INLINED void find_nearest_candidate(const TriangleTree& triangles, const SpotQuery& query,
+                                                      std::span<const NearTriangle> near,
+                                                      std::vector<SpotCandidate>& candidates) {
+  std::size_t first = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < near.size(); ++k)
+    if (const double bound = near[k].least_distance(query.moved); bound < least) first = k, least = bound;
+  if (!(least <= largest_bound(query.reach, query))) return;
+  SpotCandidate nearest = candidate_on(triangles, near[first].triangle, query.centre);
+  for (std::size_t k = 0; k < near.size(); ++k) {
+    if (k == first || near[k].least_distance(query.moved) > largest_bound(nearest.distance, query)) continue;
+    const SpotCandidate c = candidate_on(triangles, near[k].triangle, query.centre);
+    if (is_nearer(c, nearest)) nearest = c;
+  }
+  if (nearest.distance < query.reach) candidates.push_back(nearest);
 }
 
 // Whether the distance from x is smaller elsewhere on a triangle that has the point of a candidate. Earlier
@@ -65,10 +91,11 @@ const std::vector<NearestPoint>& SpotFinder::find(const TriangleMesh& mesh, cons
                                                   const SpotQuery& query,
                                                   std::span<const NearTriangle> near) {
   spots_.clear();
-  find_candidates(mesh.triangles(), query, near, candidates_);
-  std::sort(candidates_.begin(), candidates_.end(), [](const SpotCandidate& a, const SpotCandidate& b) {
-    return std::tie(a.distance, a.triangle) < std::tie(b.distance, b.triangle);
-  });
+  candidates_.clear();
+  if (query.most == 1)
+    find_nearest_candidate(mesh.triangles(), query, near, candidates_);
+  else
+    find_candidates(mesh.triangles(), query, near, candidates_);
   if (!candidates_.empty() && !is_allowed(mesh, rule, candidates_[0])) {
     spots_.push_back(behind(candidates_[0]));
     return spots_;
@@ -90,23 +117,51 @@ NearestPoint nearest_spot(const TriangleMesh& mesh, const SpotRule& rule, const 
   return is_allowed(mesh, rule, c) ? in_front(c) : behind(c);
 }
 
+namespace {
+
+double cosine_of_half(double cosine) { return std::sqrt(0.5 * (1 + cosine)); }
+
+// Height (m) of x over the plane of a triangle, above 0 at its outside.
+double height_over(const Triangle& triangle, const Vec3& x) {
+  return dot(x - triangle.corner[0], triangle.normal);
+}
+
+// Whether the directions from triangles to x are within an angle of their sum, and no triangle is at a border.
+bool is_smooth(const TriangleMesh& mesh, double cosine, const Vec3& x, std::span<const NearTriangle> near) {
+  const auto towards = [&](const NearTriangle& n) {
+    const Triangle& triangle = mesh.triangles()[n.triangle];
+    return height_over(triangle, x) < 0 ? -triangle.normal : triangle.normal;
+  };
+  Vec3 sum = {};
+  for (const NearTriangle& n : near) {
+    if (mesh.at_border(n.triangle)) return false;
+    sum += towards(n);
+  }
+  const double least = cosine * norm(sum);
+  return std::all_of(near.begin(), near.end(),
+                     [&](const NearTriangle& n) { return dot(sum, towards(n)) > least; });
+}
+
+}  // namespace
+
 // Directions to x within half an angle of a common one are within the whole angle of each other. Edges and
 // corners between the triangles have directions between these.
 std::size_t spots_possible(const TriangleMesh& mesh, const SpotRule& rule, const Vec3& x,
                            std::span<const NearTriangle> near) {
-  const auto towards = [&](std::uint32_t t) {
-    const Triangle& triangle = mesh.triangles()[t];
-    return dot(x - triangle.corner[0], triangle.normal) < 0 ? -triangle.normal : triangle.normal;
-  };
-  Vec3 sum = {};
-  bool border = false;
+  const bool smooth = is_smooth(mesh, cosine_of_half(rule.cosine_smooth), x, near);
+  return std::min(near.size(), smooth ? 1 : most_spots);
+}
+
+// Within a quarter of the angle of their sum, any of the directions are within half of it of the sum of any
+// others. They stay the same as long as x passes no plane of a triangle.
+double smooth_travel(const TriangleMesh& mesh, const SpotRule& rule, const Vec3& x,
+                     std::span<const NearTriangle> near) {
+  const double cosine_quarter = cosine_of_half(cosine_of_half(rule.cosine_smooth));
+  if (!is_smooth(mesh, distance_slack * cosine_quarter, x, near)) return 0;
+  double travel = std::numeric_limits<double>::infinity();
   for (const NearTriangle& n : near)
-    sum += towards(n.triangle), border = border || mesh.at_border(n.triangle);
-  const double cosine_half = std::sqrt(0.5 * (1 + rule.cosine_smooth)), length = norm(sum);
-  const bool smooth = !border && std::all_of(near.begin(), near.end(), [&](const NearTriangle& n) {
-    return dot(sum, towards(n.triangle)) > cosine_half * length;
-  });
-  return smooth ? std::min<std::size_t>(near.size(), 1) : std::min(near.size(), most_spots);
+    travel = std::min(travel, std::abs(height_over(mesh.triangles()[n.triangle], x)));
+  return travel / distance_slack;
 }
 
 void SpotMatches::find(const SpotRule& rule, const Vec3& x, std::span<const NearestPoint> spots,

@@ -32,7 +32,7 @@ struct SpotQuery {
   Vec3 centre;                    // (m) of the body, in the frame of the mesh
   double reach;                   // (m) within which there are spots
   std::size_t most = most_spots;  // as many are found, the nearest
-  double moved = 0;               // (m) of the centre since the distances of triangles were measured
+  Vec3 moved = {};                // (m) of the centre since the distances of triangles were measured
 };
 
 // Round-off of distances, relative: triangles whose distance is longer by less are looked at.
@@ -61,6 +61,11 @@ NearestPoint nearest_spot(const TriangleMesh& mesh, const SpotRule& rule, const 
 // centre x is: 1 if they bend by less than the angle of the rule.
 std::size_t spots_possible(const TriangleMesh& mesh, const SpotRule& rule, const Vec3& x,
                            std::span<const NearTriangle> near);
+
+// How far (m) a centre may move from x so that spots_possible() of any of the triangles `near` it is 1; 0 if
+// it may be more.
+double smooth_travel(const TriangleMesh& mesh, const SpotRule& rule, const Vec3& x,
+                     std::span<const NearTriangle> near);
 
 // Where a spot was, in the frame of the surface, and the pair that has it.
 struct KeptSpot {

@@ -24,6 +24,13 @@ double distance_from(const Triangle& triangle, const Vec3& x) {
   return norm(x - nearest_on(triangle, x).point);
 }
 
+// least: (m) distance from which on there is a direction.
+NearTriangle near_triangle(const TriangleTree& tree, std::uint32_t t, const Vec3& x, double least) {
+  const Vec3 away = x - nearest_on(tree[t], x).point;
+  const double distance = norm(away);
+  return {t, distance, distance > least ? 1 / distance * away : Vec3{}};
+}
+
 }  // namespace
 
 TriangleTree::TriangleTree(const std::vector<Triangle>& triangles, std::vector<std::uint32_t>& order) {
@@ -75,8 +82,9 @@ struct TriangleTree::Loops {
         continue;
       }
       for (std::uint32_t t = node.first; t < node.first + node.count; ++t)
-        if (const double distance = distance_from(tree[t], x); distance <= reach)
-          near.push_back({t, distance});
+        if (const NearTriangle triangle = near_triangle(tree, t, x, hidden * reach);
+            triangle.distance <= reach)
+          near.push_back(triangle);
     }
   }
 

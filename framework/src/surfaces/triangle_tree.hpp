@@ -13,6 +13,11 @@ namespace scree {
 struct NearTriangle {
   std::uint32_t triangle;
   double distance;
+  Vec3 away = {};  // unit, from the triangle to the point; 0 if these are so close that round-off hides it
+
+  // A lower bound of the distance from a point that lies `moved` (m) beside the first one, up to round-off:
+  // triangles are convex, and so is the distance from them.
+  double least_distance(const Vec3& moved) const { return distance + dot(away, moved); }
 };
 
 // Triangles that are found by place, in an order in which neighbours are near each other in memory.
@@ -22,7 +27,9 @@ class TriangleTree {
   TriangleTree(const std::vector<Triangle>& triangles, std::vector<std::uint32_t>& order);
   TriangleTree() = default;
 
-  // Replaces `near` by the triangles within a distance (m) of x, the nearest first.
+  // Replaces `near` by the triangles within a distance (m) of x, the nearest first. Distances below `hidden` of
+  // this have no direction.
+  static constexpr double hidden = 1e-6;
   void find_near(const Vec3& x, double reach, std::vector<NearTriangle>& near) const;
   // The nearest triangle; of several, the one with the lowest number. most: (m) distance beyond which none is
   // looked for; it is then the distance.
