@@ -65,7 +65,71 @@ def drum(radius, length, sides):
     return triangles
 
 
+def turn_of(a, b, c):
+    """Above 0 where the way from a over b to c turns to the left: twice the area of the triangle, from above."""
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+
+
+def cross(a, b, c, d):
+    """Whether the segments ab and cd have a point in common that is no end of both."""
+    if {a, b} & {c, d}:
+        return False
+    return turn_of(a, b, c) * turn_of(a, b, d) <= 0 and turn_of(c, d, a) * turn_of(c, d, b) <= 0
+
+
+def in_corner(border, i, q):
+    """Whether the way from a corner of a polygon to q begins inside; a cut passes its ends twice, once on each side."""
+    before, p, after = border[i - 1], border[i], border[(i + 1) % len(border)]
+    if turn_of(before, p, after) > 0:
+        return turn_of(p, q, before) > 0 > turn_of(p, q, after)
+    return turn_of(p, q, before) > 0 or turn_of(p, q, after) < 0
+
+
+def with_hole(border, hole, others):
+    """The border of a polygon with a cut to a hole and round it: the shortest that meets no edge of it or of others."""
+    edges = [edge for ring in (border, hole, *others) for edge in zip(ring, ring[1:] + ring[:1])]
+    cuts = sorted((math.dist(p, q), i, j) for i, p in enumerate(border) for j, q in enumerate(hole))
+    i, j = next((i, j) for _, i, j in cuts if in_corner(border, i, hole[j])
+                and not any(cross(border[i], hole[j], *edge) for edge in edges))
+    return border[: i + 1] + hole[j:] + hole[: j + 1] + border[i:]
+
+
+def filled(border):
+    """Triangles of a polygon that lies to the left of its border, by cutting off one corner after the other."""
+    triangles, ring = [], list(border)
+    while len(ring) > 3:
+        def is_ear(k):
+            a, b, c = corners = ring[k - 1], ring[k], ring[(k + 1) % len(ring)]
+            return turn_of(a, b, c) > 0 and not any(
+                p not in corners and min(turn_of(a, b, p), turn_of(b, c, p), turn_of(c, a, p)) >= 0 for p in ring)
+        # The ear with the shortest cut, so that triangles stay compact.
+        k = next(filter(is_ear, sorted(range(len(ring)), key=lambda k: math.dist(ring[k - 1], ring[(k + 1) % len(ring)]))))
+        triangles.append((ring[k - 1], ring[k], ring[(k + 1) % len(ring)]))
+        del ring[k]
+    return [*triangles, tuple(ring)]
+
+
+def plate_with_holes(length, width, holes, sides):
+    """A rectangle about the origin in the plane z = 0, seen from above. holes: (x, y, radius) of each, apart from each
+    other and from the border; corners of a hole, of which there are `sides`, lie on its circle."""
+    for k, (x, y, radius) in enumerate(holes):
+        if abs(x) + radius >= length / 2 or abs(y) + radius >= width / 2:
+            raise ValueError(f"hole {k + 1} reaches the border of the plate; move it, or make it smaller")
+        for other in range(k):
+            if math.dist((x, y), holes[other][:2]) <= radius + holes[other][2]:
+                raise ValueError(f"holes {other + 1} and {k + 1} overlap; move one of them, or make it smaller")
+    rings = [[(x + r * math.cos(-2 * math.pi * k / sides), y + r * math.sin(-2 * math.pi * k / sides))
+              for k in range(sides)] for x, y, r in holes]
+    border = [(-length / 2, -width / 2), (length / 2, -width / 2), (length / 2, width / 2), (-length / 2, width / 2)]
+    rings.sort(key=max, reverse=True)  # from the right: each sees the border, since no later hole is to its right
+    for k, ring in enumerate(rings):
+        border = with_hole(border, ring, rings[k + 1:])
+    return [tuple((x, y, 0.0) for x, y in triangle) for triangle in filled(border)]
+
+
 if __name__ == "__main__":
     write("cube.stl", box(25, 10))
     write("chute.stl", chute(1000, 250, 500))
     write("drum.stl", drum(60, 60, 180))
+    places = (-24, -14.5, -5, 5, 14.5, 24)
+    write("sieve.stl", plate_with_holes(60, 60, [(x, y, 3) for x in places for y in places], 24))

@@ -1,7 +1,9 @@
 """Scripts of the scenarios on small campaigns whose numbers are known; skipped without pandas or matplotlib."""
 import csv
 import importlib.util
+import math
 import os
+import random
 import re
 import subprocess
 import sys
@@ -284,6 +286,53 @@ class Page(unittest.TestCase):
                 done = self.page(folder)
                 with self.subTest(row=row):
                     self.assertEqual((done.returncode, done.stderr.count("\n")), (status, status), done.stderr)
+
+
+class Meshes(unittest.TestCase):
+    """Plates with holes of scenarios/surfaces/meshes.py."""
+
+    @classmethod
+    def setUpClass(cls):
+        place = importlib.util.spec_from_file_location("meshes", os.path.join(SCENARIOS, "surfaces", "meshes.py"))
+        cls.meshes = importlib.util.module_from_spec(place)
+        place.loader.exec_module(cls.meshes)
+
+    @staticmethod
+    def holes(chance):
+        """Some that neither overlap nor reach the border of a plate of 60 by 40."""
+        found = []
+        for _ in range(30):
+            radius = chance.uniform(0.5, 8)
+            x, y = chance.uniform(radius - 29, 29 - radius), chance.uniform(radius - 19, 19 - radius)
+            if all(math.dist((x, y), hole[:2]) > radius + hole[2] for hole in found):
+                found.append((x, y, radius))
+        return found
+
+    def test_that_plates_have_their_holes_and_nothing_twice(self):
+        chance = random.Random(1)
+        for sides in (3, 4, 11, 24):
+            holes = self.holes(chance)
+            triangles = self.meshes.plate_with_holes(60, 40, holes, sides)
+            areas = [self.meshes.turn_of(*triangle) / 2 for triangle in triangles]
+            with self.subTest(sides=sides, holes=len(holes)):
+                self.assertGreater(len(holes), 3)
+                self.assertGreaterEqual(min(areas), 0)  # all are seen from above, so that areas add up only if none lie over others
+                polygons = sum(radius**2 * sides / 2 * math.sin(2 * math.pi / sides) for _, _, radius in holes)
+                self.assertAlmostEqual(sum(areas), 60 * 40 - polygons, delta=1e-9)
+                self.assertEqual(len(triangles), 2 + len(holes) * (sides + 2))
+                for x, y, radius in holes:
+                    middle = [triangle for triangle in triangles if self.holds(triangle, (x, y))]
+                    self.assertEqual(middle, [], f"hole at {x}, {y}")
+
+    def holds(self, triangle, point):
+        a, b, c = triangle
+        return min(self.meshes.turn_of(a, b, point), self.meshes.turn_of(b, c, point), self.meshes.turn_of(c, a, point)) > 0
+
+    def test_that_holes_which_meet_are_refused(self):
+        for holes, line in (([(0, 0, 2), (3, 0, 1)], "holes 1 and 2 overlap"), ([(28, 0, 2)], "hole 1 reaches the border"),
+                            ([(0, -18.5, 1.5)], "hole 1 reaches the border")):
+            with self.subTest(holes=holes), self.assertRaisesRegex(ValueError, line):
+                self.meshes.plate_with_holes(60, 40, holes, 12)
 
 
 class Gallery(unittest.TestCase):
