@@ -37,16 +37,35 @@ cp "$tests/outside/lock_in_probe.cpp" height_amplitude/height_amplitude.cpp
 installed/bin/scree describe probe/height_amplitude --plugins height_amplitude/build/plugins > describe.log
 grep -q "height_amplitude \[m\]  at 1 Hz" describe.log || { cat describe.log; exit 1; }
 
-# A drum of flat faces that turns, of surfaces with a spin: its balance of energy closes, which it did not when faces were
+# The code of the tutorial builds as it stands there: each block that begins with its file's name.
+blocks=
+tutorial=installed/share/doc/scree/plugins/README.md
+for block in $(sed -n 's,^// \([a-z_]*\)\.cpp$,\1,p' "$tutorial"); do
+  code=$(sed -n "\,^// $block\.cpp$,,/^\`\`\`/{/^\`\`\`/d;p}" "$tutorial")
+  case $code in
+  *SCREE_CONTACT_LAW_PLUGIN*) kind=contact ;;
+  *SCREE_BOUNDARY_PLUGIN*) kind=boundary ;;
+  *) kind=probe ;;
+  esac
+  installed/bin/scree new-plugin "$kind" "$block" > new.log
+  printf '%s\n' "$code" > "$block/$block.cpp"
+  { cmake -B "$block/build" "$block" && cmake --build "$block/build"; } > build.log 2>&1 || {
+    cat build.log
+    echo "$block of the tutorial does not build"
+    exit 1
+  }
+  installed/bin/scree describe "$kind/$block" --plugins "$block/build/plugins" > describe.log || {
+    cat describe.log
+    exit 1
+  }
+  blocks="$blocks$block "
+done
+[ "$blocks" = "sticky sprung_lid polygon_drum wandering " ] || { echo "the tutorial has $blocks"; exit 1; }
+
+# Its drum of flat faces turns, of surfaces with a spin: the balance of energy closes, which it did not when faces were
 # planes that jump (1.6 %).
-installed/bin/scree new-plugin boundary polygon_drum > new.log
-cp "$tests/outside/polygon_drum.cpp" polygon_drum/polygon_drum.cpp
 lines=$(wc -l < polygon_drum/polygon_drum.cpp)
 [ "$lines" -lt 80 ] || { echo "polygon_drum has $lines lines"; exit 1; }
-{ cmake -B polygon_drum/build polygon_drum && cmake --build polygon_drum/build; } > build.log 2>&1 || {
-  cat build.log
-  exit 1
-}
 installed/bin/scree run "$tests/outside/polygon_drum.toml" --plugins polygon_drum/build/plugins --out drum > run.log 2>&1 || {
   cat run.log
   exit 1
