@@ -1,6 +1,6 @@
 """Draws figure 2 of Lemrich et al. (2017) from a campaign of sweeps.toml, figures 3 and 4 from one of
-drives.toml, and what the paper claims (claims.png) from results.csv; prints the numbers of these and of
-spectra.toml, and records them in results.csv.
+drives.toml, the cylindrical cell beside the periodic one from one of cell.toml, and what the paper claims (claims.png)
+from results.csv; prints the numbers of these and of spectra.toml, and records them in results.csv.
 
 Usage: python3 scenarios/lemrich2017/figures.py DIR... [--out FOLDER, default: the first DIR]
 DIR: a campaign, or this folder, for claims.png of what is recorded. Needs python3-matplotlib and python3-pandas."""
@@ -15,7 +15,8 @@ import scree  # noqa: E402 (of this tree)
 scree.scripts.start("matplotlib", "pandas")
 import numpy  # noqa: E402
 from scree.charts import COLOURS, Curve, Panel, draw, labels  # noqa: E402
-from spectra import NAMES, put_spectra  # noqa: E402 (of this folder, like the next)
+from cells import put_cells  # noqa: E402 (of this folder, like the next)
+from spectra import NAMES, put_spectra  # noqa: E402
 from sweeps import COLUMNS, Sweep, apart_at_strains, over_hertz, put_maxima  # noqa: E402
 
 CASE = r"([\d.]+) kPa, (.*)"  # stress, and seed or drive
@@ -112,6 +113,8 @@ def evaluate(campaign, out, numbers):
         return None
     if campaign.study == "spectra":
         return put_spectra(campaign, numbers)
+    if campaign.study == "cell":
+        return put_cells(campaign, numbers, out / "cell.png")
     sweeps = sorted(map(Sweep, campaign.finished(*COLUMNS)), key=lambda s: (s.stress, s.amplitude))
     if not sweeps:
         raise scree.scripts.no_runs(campaign, "scenarios/lemrich2017/sweeps.toml, drives.toml or spectra.toml")

@@ -92,6 +92,61 @@ class Exponent(unittest.TestCase):
                     "no exponent from one stress, of seed 1; let the campaign finish two or more")
 
 
+@DRAWS
+class Cells(unittest.TestCase):
+    """The cylindrical cell of lemrich2017/cell.toml."""
+
+    @classmethod
+    def setUpClass(cls):
+        with mock.patch.object(sys, "path", [os.path.join(SCENARIOS, "lemrich2017"), PACKAGE, *sys.path]):
+            cls.cells = importlib.import_module("cells")
+
+    def test_that_waves_beside_a_free_side_are_plane(self):
+        frequencies, shares = self.cells.modes_in_cylinder((300.0, 150.0), 5e-3, 12e-3, False)
+        plane = [(f, share) for f, share in zip(frequencies, shares) if share > 1e-6]
+        for n, (frequency, share) in zip((1, 3, 5), plane):
+            # The strain is taken over layers: a part (π n/(4·48))²/6 is missing, and half of it of the share.
+            self.assertAlmostEqual(frequency / (n * 300 / (4 * 12e-3)), 1, delta=(math.pi * n / 192) ** 2)
+            self.assertAlmostEqual(share * (math.pi * n) ** 2 / 8, 1, delta=8 * (math.pi * n / 192) ** 2 + 0.011)
+
+    def test_that_a_held_side_has_the_cut_off_of_shear(self):
+        # High and narrow: nothing goes through it below 2.405 c/(2π R), and the plate is an end between a free and a held one.
+        frequencies, _ = self.cells.modes_in_cylinder((300.0, 150.0), 1e-3, 12e-3, True)
+        cut_off = 2.404826 * 150 / (2 * math.pi * 1e-3)
+        error = (2.404826 / 16) ** 2 / 6  # of rings of R/16
+        self.assertGreater(frequencies[0], math.hypot(cut_off, 300 / (4 * 12e-3)) * (1 - error))
+        self.assertLess(frequencies[0], math.hypot(cut_off, 300 / (2 * 12e-3)) * (1 + error))
+        # Flat and wide: the side does not count.
+        frequencies, _ = self.cells.modes_in_cylinder((300.0, 150.0), 1.0, 12e-3, True)
+        self.assertAlmostEqual(frequencies[0] / (300 / (4 * 12e-3)), 1, delta=0.003)
+
+    def test_that_packings_are_recorded(self):
+        with tempfile.TemporaryDirectory() as folder:
+            rows = ["run,case,seed,status"]
+            for case, first in (("periodic", 6400), ("cell with friction", 15000)):
+                run = os.path.join(folder, case)
+                rows.append(f"{case},{case},1,finished")
+                write(os.path.join(run, "spectrum.json"), "{}")
+                write(os.path.join(run, "scenario.toml"), f'[particles]\nstate = "/elsewhere/{first}/final_state.h5"\n')
+                head = "column,frequency [Hz],frequency_error [Hz],quality,amplitude,wavelengths\n"
+                write(os.path.join(run, "peaks.csv"), f"{head}strain.distance,{first},2,30,1,0.25\nother,1,1,1,1,0.75\nstrain.distance,20100,90,9,1,\n")
+                write(os.path.join(run, "spectrum.csv"), "frequency [Hz],strain.distance.amplitude [1/m]\n5000,100\n10000,200\n")
+                series = os.path.join(folder, "prepare", str(first), "series")
+                write(os.path.join(series, "walls.csv"), "position_1 [m],position_2 [m],normal_force_1 [N],normal_force_2 [N]\n0,0,1,1\n-0.0125,0,1,0.9\n")
+                write(os.path.join(series, "contacts.csv"), "coordination_without_rattlers\n4.9\n")
+            write(os.path.join(folder, "table.csv"), "\n".join(rows) + "\n")
+            write(os.path.join(folder, "campaign.json"), '{"file": "cell.toml"}')
+            done = call("lemrich2017/figures.py", folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertTrue(os.path.exists(os.path.join(folder, "cell.png")))
+            found = rows_of(os.path.join(folder, "results.csv"))
+        for quantity, value in (("height", "12.500"), ("load of the top over that of the bottom", "0.9000"), ("contacts of a bead that bears load", "4.900"),
+                                ("frequency of λ/4", "15"), ("Q of λ/4", "30"), ("frequency of peak 2", "20.1")):
+            self.assertEqual(found["cell", quantity, "cell with friction, seed 1"]["scree"], value)
+        self.assertEqual(found["cell", "frequency of λ/4", "periodic, seed 1"]["scree"], "6.4")
+        self.assertNotIn(("cell", "frequency of 3λ/4", "periodic, seed 1"), found)
+
+
 class Accumulation(unittest.TestCase):
     SCENARIO = """[scene]
 seed = SEED
@@ -310,7 +365,7 @@ class Meshes(unittest.TestCase):
 
     def test_that_plates_have_their_holes_and_nothing_twice(self):
         chance = random.Random(1)
-        for sides in (3, 4, 11, 24):
+        for sides in (3, 4, 11, 24) * 15:  # among them holes that others hide from the border, and cuts from corners of cuts
             holes = self.holes(chance)
             triangles = self.meshes.plate_with_holes(60, 40, holes, sides)
             areas = [self.meshes.turn_of(*triangle) / 2 for triangle in triangles]
