@@ -46,51 +46,52 @@ MeshTopology::MeshTopology(const std::vector<Corners>& corners)
   }
 }
 
-std::vector<std::uint32_t> MeshTopology::shells() const {
-  std::vector<std::uint32_t> shell(beside_.size(), none), next;
-  std::uint32_t count = 0;
-  for (std::uint32_t first = 0; first < beside_.size(); ++first) {
-    if (shell[first] != none) continue;
-    shell[first] = count;
-    for (next.push_back(first); !next.empty();) {
-      const std::uint32_t t = next.back();
-      next.pop_back();
-      for (const std::uint32_t other : beside_[t])
-        if (other != none && shell[other] == none) shell[other] = count, next.push_back(other);
-    }
-    ++count;
-  }
-  return shell;
-}
-
-void MeshTopology::turn_alike(std::vector<Corners>& corners, MeshFindings& findings) const {
-  enum : char { unseen, kept, turned };
-  std::vector<char> seen(corners.size(), unseen);
+template <class Begin, class Meet>
+void MeshTopology::walk(const Begin& begin, const Meet& meet) const {
+  std::vector<bool> seen(beside_.size(), false);
   std::vector<std::uint32_t> next;
-  const auto edge_to = [&](std::uint32_t t, std::uint32_t other) {
-    return int(std::find(beside_[t].begin(), beside_[t].end(), other) - beside_[t].begin());
-  };
-  for (std::uint32_t first = 0; first < corners.size(); ++first) {
-    if (seen[first] != unseen) continue;
-    seen[first] = kept;
+  for (std::uint32_t first = 0; first < beside_.size(); ++first) {
+    if (seen[first]) continue;
+    seen[first] = true;
+    begin(first);
     for (next.push_back(first); !next.empty();) {
       const std::uint32_t t = next.back();
       next.pop_back();
       for (int e = 0; e < 3; ++e) {
         const std::uint32_t other = beside_[t][std::size_t(e)];
         if (other == none) continue;
-        // Two triangles that are alike run along their edge in opposite directions.
-        const bool alike = runs_up(corners[t], e) != runs_up(corners[other], edge_to(other, t));
-        const char wanted = alike ? seen[t] : char(seen[t] == kept ? turned : kept);
-        if (seen[other] == unseen)
-          seen[other] = wanted, next.push_back(other);
-        else if (seen[other] != wanted)
-          findings.one_sided = true;
+        meet(t, e, other, !seen[other]);
+        if (!seen[other]) seen[other] = true, next.push_back(other);
       }
     }
   }
+}
+
+std::vector<std::uint32_t> MeshTopology::shells() const {
+  std::vector<std::uint32_t> shell(beside_.size(), none);
+  std::uint32_t count = 0;
+  walk([&](std::uint32_t first) { shell[first] = count++; },
+       [&](std::uint32_t t, int, std::uint32_t other, bool) { shell[other] = shell[t]; });
+  return shell;
+}
+
+void MeshTopology::turn_alike(std::vector<Corners>& corners, MeshFindings& findings) const {
+  std::vector<bool> turned(corners.size(), false);
+  const auto edge_to = [&](std::uint32_t t, std::uint32_t other) {
+    return int(std::find(beside_[t].begin(), beside_[t].end(), other) - beside_[t].begin());
+  };
+  walk([](std::uint32_t) {},
+       [&](std::uint32_t t, int e, std::uint32_t other, bool is_new) {
+         // Two triangles that are alike run along their edge in opposite directions.
+         const bool alike = runs_up(corners[t], e) != runs_up(corners[other], edge_to(other, t));
+         const bool wanted = turned[t] == alike;
+         if (is_new)
+           turned[other] = wanted;
+         else if (turned[other] != wanted)
+           findings.one_sided = true;
+       });
   for (std::size_t t = 0; t < corners.size(); ++t)
-    if (seen[t] == turned) std::swap(corners[t][1], corners[t][2]), ++findings.turned;
+    if (turned[t]) std::swap(corners[t][1], corners[t][2]), ++findings.turned;
   findings.open_edges = open_edges_;
   findings.shared_edges = shared_edges_;
 }
