@@ -3,32 +3,31 @@
 #include "machine/instruction_levels.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace scree {
 
 namespace {
 
-void set_part(double* part, const Vec3& v) { std::copy_n(v.component, 3, part); }
+void set_part(double* part, const Vec3& v) {
+  for (int k = 0; k < 3; ++k) part[k] = v[k];
+}
 
 // A record as of a body at the nearest point, see scree::record.
-void write_record(const PlacedSurface& surface, const Vec3& point, const Vec3& mid_point, int dimension,
-                  bool spin, double* at) {
-  const Vec3 velocity = surface.velocity(point - surface.origin()),
-             mid_velocity = surface.mid_velocity(mid_point - surface.mid_origin());
+void write_record(const PlacedSurface& surface, const SurfacePoint& at_point, int dimension, bool spin,
+                  double* at) {
   if (dimension == 2) {
     const auto set = [&](std::size_t part, const Vec3& v, double third) {
       at[part] = v[0], at[part + 1] = v[1], at[part + 2] = third;
     };
-    set(record::position, point, 0);
-    set(record::motion, velocity, surface.spin()[2]);
-    set(record::mid_motion, mid_velocity, surface.mid_spin()[2]);
+    set(record::position, at_point.point, 0);
+    set(record::motion, at_point.velocity, surface.spin()[2]);
+    set(record::mid_motion, at_point.mid_velocity, surface.mid_spin()[2]);
     return;
   }
-  set_part(at + record::position, point);
-  set_part(at + record::motion, velocity);
-  set_part(at + record::mid_motion, mid_velocity);
+  set_part(at + record::position, at_point.point);
+  set_part(at + record::motion, at_point.velocity);
+  set_part(at + record::mid_motion, at_point.mid_velocity);
   if (!spin) return;
   set_part(at + record::spin, surface.spin());
   set_part(at + record::mid_spin, surface.mid_spin());
@@ -61,29 +60,45 @@ void SurfaceContacts::place(std::vector<PlacedSurface> surfaces, std::size_t pla
   planes_ = planes;
 }
 
-void SurfaceContacts::set(std::size_t row, const PlacedSurface& surface, const NearestPoint& nearest,
-                          const NearestPoint& middle, const Particles& p) {
-  write_record(surface, nearest.point, middle.point, p.dimension(), p.has_spin(), records_.record(row));
-  set_part(records_.normal(row), nearest.normal);
-  set_part(records_.mid_normal(row), middle.normal);
-  set_part(records_.lever(row), nearest.point - surface.origin());
+void SurfaceContacts::set(std::size_t row, const PlacedSurface& surface, const SurfacePoint& at,
+                          const Particles& p) {
+  write_record(surface, at, p.dimension(), p.has_spin(), records_.record(row));
+  set_part(records_.normal(row), at.normal);
+  set_part(records_.mid_normal(row), at.mid_normal);
+  set_part(records_.lever(row), at.point - surface.origin());
 }
 
-SCREE_EVERY_LEVEL_INLINED void SurfaceContacts::resolve_pairs(const PairsOfBody& of, std::size_t rows,
-                                                              const Particles& p, MeshSpots& mesh_spots,
-                                                              PairGroup& group, double* effective_radius) {
-  const double radius = p.radius()[of.body];
-  Vec3 x = {};
-  for (int k = 0; k < p.dimension(); ++k) x[k] = p.position()[k][of.body];
-  const auto set_pair = [&](std::size_t pair, const NearestPoint& nearest, const NearestPoint& middle) {
-    set(rows + pair, of.surface, nearest, middle, p);
-    if (effective_radius) effective_radius[pair] = effective_radius_at(nearest.curvature, 1 / radius);
-  };
-  if (!of.surface.mesh()) {
-    Vec3 x_middle = x;
-    for (int k = 0; k < p.dimension(); ++k) x_middle[k] -= 0.5 * step_ * p.mid_velocity()[k][of.body];
-    return set_pair(of.begin, of.surface.nearest(x), of.surface.mid_nearest(x_middle));
+void SurfaceContacts::resolve_shape(const PlacedSurface& surface, const Results& to, const Particles& p,
+                                    ShapeContacts& bodies) {
+  if (bodies.count() == 0) return;
+  bodies.find(surface, p.dimension(), step_);
+  for (std::size_t k = 0; k < bodies.count(); ++k) {
+    set(to.rows + bodies.pair(k), surface, bodies.point(k), p);
+    if (to.effective_radius) to.effective_radius[bodies.pair(k)] = bodies.effective_radius(k);
   }
+  bodies.clear();
+}
+
+namespace {
+
+// Of a body.
+Vec3 vector_of(const Vectors<const double>& all, std::size_t body, int dimension) {
+  Vec3 v = {};
+  for (int k = 0; k < dimension; ++k) v[k] = all[k][body];
+  return v;
+}
+
+}  // namespace
+
+SCREE_EVERY_LEVEL_INLINED void SurfaceContacts::resolve_spots(const PairsOfBody& of, const Results& to,
+                                                              const Particles& p, MeshSpots& mesh_spots,
+                                                              PairGroup& group) {
+  const double radius = p.radius()[of.body];
+  const Vec3 x = vector_of(p.position(), of.body, p.dimension());
+  const auto set_pair = [&](std::size_t pair, const NearestPoint& nearest, const NearestPoint& middle) {
+    set(to.rows + pair, of.surface, surface_point(of.surface, nearest, middle), p);
+    if (to.effective_radius) to.effective_radius[pair] = effective_radius_at(nearest.curvature, 1 / radius);
+  };
   const Vec3 here = of.surface.in_frame(x);
   const SpotRule rule = of.surface.rule();
   const std::vector<NearestPoint>& spots =
@@ -106,18 +121,29 @@ SCREE_EVERY_LEVEL_INLINED void SurfaceContacts::resolve_pairs(const PairsOfBody&
 void SurfaceContacts::resolve(std::size_t tile, Contacts& contacts, const Particles& p,
                               const std::vector<std::uint8_t>& springs, PairConstants& constants) {
   PairColumns& radii = constants.terms[SCREE_EFFECTIVE_RADIUS - SCREE_REDUCED_MASS];
-  double* const effective_radius = radii.size() > 0 ? radii.column(0) : nullptr;
+  // Kept from tile to tile: each is some kB.
+  thread_local std::vector<ShapeContacts> shapes;
+  shapes.resize(std::max(shapes.size(), surfaces_.size()));
   mesh_spots_[tile].begin();
   for (std::size_t g = 0; g < contacts.groups().size(); ++g) {
     PairGroup& group = contacts.groups()[g];
     if (!group.surfaces || group.runs.empty()) continue;
+    const Results to = {records_.first_row(g) - group.begin, radii.size() > 0 ? radii.column(0) : nullptr};
     const std::size_t end = group.runs[tile].end;
     for (std::size_t q = group.runs[tile].begin, next = q; q < end; q = next) {
       const std::uint32_t a = contacts.a[q], b = contacts.b[q];
+      const PlacedSurface& surface = surfaces_[b - planes_];
       for (next = q + 1; next < end && contacts.a[next] == a && contacts.b[next] == b;) ++next;
-      resolve_pairs({surfaces_[b - planes_], a, b, q, next, springs[group.law] != 0},
-                    records_.first_row(g) - group.begin, p, mesh_spots_[tile], group, effective_radius);
+      if (surface.mesh()) {
+        resolve_spots({surface, a, b, q, next, springs[group.law] != 0}, to, p, mesh_spots_[tile], group);
+        continue;
+      }
+      ShapeContacts& bodies = shapes[b - planes_];
+      bodies.add(q, vector_of(p.position(), a, p.dimension()), vector_of(p.mid_velocity(), a, p.dimension()),
+                 p.radius()[a]);
+      if (bodies.full()) resolve_shape(surface, to, p, bodies);
     }
+    for (std::size_t s = 0; s < surfaces_.size(); ++s) resolve_shape(surfaces_[s], to, p, shapes[s]);
   }
 }
 

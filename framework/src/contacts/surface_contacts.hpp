@@ -4,6 +4,7 @@
 #include "contacts/kernel/surface_records.hpp"
 #include "contacts/mesh_spots.hpp"
 #include "contacts/pair_constants.hpp"
+#include "contacts/shape_contacts.hpp"
 #include "surfaces/placed_surface.hpp"
 #include "surfaces/sliding_work.hpp"
 
@@ -34,19 +35,24 @@ class SurfaceContacts {
                                           int dimension, bool backwards);
 
  private:
-  // The pairs of a body and a surface.
+  // The pairs of a body and a mesh.
   struct PairsOfBody {
     const PlacedSurface& surface;
     std::uint32_t body, wall;
     std::size_t begin, end;
     bool spring;
   };
-  // rows: of records, less the pairs. effective_radius: of all pairs, or null.
-  void resolve_pairs(const PairsOfBody& of, std::size_t rows, const Particles& p, MeshSpots& mesh_spots,
-                     PairGroup& group, double* effective_radius);
-  // middle: in the middle of the step.
-  void set(std::size_t row, const PlacedSurface& surface, const NearestPoint& nearest,
-           const NearestPoint& middle, const Particles& p);
+  // Where what is found is written.
+  struct Results {
+    std::size_t rows;          // of records, less the pairs
+    double* effective_radius;  // of all pairs, or null
+  };
+  void resolve_spots(const PairsOfBody& of, const Results& to, const Particles& p, MeshSpots& mesh_spots,
+                     PairGroup& group);
+  // Then there are no bodies left.
+  void resolve_shape(const PlacedSurface& surface, const Results& to, const Particles& p,
+                     ShapeContacts& bodies);
+  void set(std::size_t row, const PlacedSurface& surface, const SurfacePoint& at, const Particles& p);
 
   bool any_ = false;
   std::size_t planes_ = 0;

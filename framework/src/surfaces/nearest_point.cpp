@@ -1,6 +1,6 @@
 #include "surfaces/nearest_point.hpp"
 
-#include "machine/instruction_levels.hpp"
+#include "surfaces/shape_points.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,90 +10,6 @@
 namespace scree {
 
 namespace {
-
-// From a face with this normal at its outside, a signed height (m) and the curvatures that its outside has.
-NearestPoint on_face(std::uint32_t side, const Vec3& point, const Vec3& outwards, double height,
-                     const Vec2& curvature) {
-  const bool inside = side == SCREE_INSIDE || (side == SCREE_BOTH_SIDES && height < 0);
-  if (inside) return {point, -outwards, -height, -curvature};
-  return {point, outwards, height, curvature};
-}
-
-// From a point of an edge; straight up if the centre lies on it.
-NearestPoint on_edge(const Vec3& point, const Vec3& x) {
-  const Vec3 away = x - point;
-  const double distance = norm(away);
-  return {point, distance > 0 ? 1 / distance * away : Vec3{{0, 0, 1}}, distance, {}};
-}
-
-NearestPoint on_flat(const scree_surface& s, int dimension, const Vec3& x) {
-  const int up = dimension - 1;
-  Vec3 point = {}, outwards = {};
-  outwards[up] = 1;
-  bool over_face = true;
-  for (int k = 0; k < up; ++k) {
-    point[k] = std::clamp(x[k], -s.size[k], s.size[k]);
-    over_face = over_face && point[k] == x[k];
-  }
-  return over_face ? on_face(s.side, point, outwards, x[up], {}) : on_edge(point, x);
-}
-
-// In the half plane of the axis and x: distance from the axis, and z.
-struct HalfPlane {
-  Vec3 radial;  // unit
-  double distance;
-
-  explicit HalfPlane(const Vec3& x) : radial{{1, 0, 0}}, distance(std::sqrt(x[0] * x[0] + x[1] * x[1])) {
-    if (distance > 0) radial = {{x[0] / distance, x[1] / distance, 0}};
-  }
-  Vec3 at(double radius, double z) const { return radius * radial + Vec3{{0, 0, z}}; }
-};
-
-NearestPoint on_revolved(const scree_surface& s, const Vec3& x) {
-  const HalfPlane plane(x);
-  const double r = s.size[0], z = s.size[1];
-  if (std::isinf(z))
-    return on_face(s.side, plane.at(r, x[2]), plane.radial, plane.distance - r, {{1 / r, 0}});
-  const double along_r = s.size[2] - r, along_z = s.size[3] - z,
-               length = std::sqrt(along_r * along_r + along_z * along_z);
-  const double u_r = along_r / length, u_z = along_z / length;
-  const double place = (plane.distance - r) * u_r + (x[2] - z) * u_z;
-  if (place < 0) return on_edge(plane.at(r, z), x);
-  if (place > length) return on_edge(plane.at(s.size[2], s.size[3]), x);
-  const double radius = r + place * u_r, height = (plane.distance - r) * u_z - (x[2] - z) * u_r;
-  // Of a cone across its lines; along them it is straight.
-  const double curvature = radius > 0 ? u_z / radius : 0;
-  return on_face(s.side, plane.at(radius, z + place * u_z), plane.at(u_z, -u_r), height, {{curvature, 0}});
-}
-
-// The edge at a height of a sphere or circle that is cut there.
-NearestPoint on_rim(const scree_surface& s, int dimension, double height, const Vec3& x) {
-  const double radius = std::sqrt(std::max(0.0, s.size[0] * s.size[0] - height * height));
-  if (dimension == 2) return on_edge({{std::copysign(radius, x[0]), height, 0}}, x);
-  return on_edge(HalfPlane(x).at(radius, height), x);
-}
-
-NearestPoint on_ball(const scree_surface& s, int dimension, const Vec3& x) {
-  const int axis = dimension - 1;
-  const double radius = s.size[0], distance = norm(x);
-  const Vec3 outwards = distance > 0 ? 1 / distance * x : Vec3{{1, 0, 0}};
-  const double height = radius * outwards[axis];
-  if (height < s.size[1]) return on_rim(s, dimension, s.size[1], x);
-  if (height > s.size[2]) return on_rim(s, dimension, s.size[2], x);
-  return on_face(s.side, radius * outwards, outwards, distance - radius, {{1 / radius, 1 / radius}});
-}
-
-SCREE_EVERY_LEVEL_INLINED NearestPoint nearest_of_shape(const scree_surface& surface, int dimension,
-                                                        const Vec3& x) {
-  switch (surface.shape) {
-    case SCREE_FLAT:
-      return on_flat(surface, dimension, x);
-    case SCREE_REVOLVED:
-      return on_revolved(surface, x);
-    default:
-      return on_ball(surface, dimension, x);
-  }
-}
 
 const char* problem_of_revolved(const scree_surface& s) {
   const auto [r0, z0, r1, z1] = s.size;
@@ -117,7 +33,10 @@ const char* problem_of_mesh(const scree_surface& s, int dimension) {
 }  // namespace
 
 NearestPoint nearest_point(const scree_surface& surface, int dimension, const Vec3& x) {
-  return nearest_of_shape(surface, dimension, x);
+  NearestPoint found;
+  const auto find = [&](const auto& nearest) { found = nearest(x); };
+  dimension == 2 ? shape::with_nearest<2>(surface, find) : shape::with_nearest<3>(surface, find);
+  return found;
 }
 
 const char* problem_of(const scree_surface& s, int dimension) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 
 #include <scree/plugin/abi.h>
@@ -26,10 +25,9 @@ constexpr double largest_effective_radius = 1e3;
 // exact for spheres; for cylinders and cones, whose contacts are elliptic, the force has an error of
 // 0.02 (R κ)² (Johnson 1985, eq. 4.26, without F₂).
 inline double effective_radius_at(const Vec2& surface, double of_body) {
-  const auto together = [&](int k) {
-    return std::max(of_body + surface[k], of_body / largest_effective_radius);
-  };
-  return 1 / std::sqrt(together(0) * together(1));
+  const double least = of_body / largest_effective_radius;
+  const double first = of_body + surface[0], second = of_body + surface[1];
+  return 1 / std::sqrt((first < least ? least : first) * (second < least ? least : second));
 }
 
 // The nearest point to x (m) of a surface that is no mesh; of several that are equally near, one. x: in the

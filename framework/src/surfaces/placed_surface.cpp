@@ -39,10 +39,6 @@ NearestPoint PlacedSurface::nearest(const Vec3& x) const {
   return in_scene(mesh_ ? nearest_spot(*mesh_, rule(), here) : nearest_point(surface_, dimension_, here));
 }
 
-NearestPoint PlacedSurface::mid_nearest(const Vec3& x) const {
-  return mid_in_scene(nearest_point(surface_, dimension_, mid_to_scene_.back()(x - mid_origin_)));
-}
-
 std::vector<PlacedSurface> placed_surfaces(const WallSurfaces& all, int dimension, double step) {
   std::vector<PlacedSurface> placed;
   for (std::size_t s = 0; s < all.size(); ++s) placed.emplace_back(all, s, dimension, step);

@@ -18,6 +18,7 @@ class PlacedSurface {
 
   // The nearest point to x (m), in the scene.
   NearestPoint nearest(const Vec3& x) const;
+  const scree_surface& surface() const { return surface_; }
   // Null if it is no mesh.
   const TriangleMesh* mesh() const { return mesh_; }
   // Whether the distance of a body may jump while it moves: from the edge of one side to its back.
@@ -28,24 +29,26 @@ class PlacedSurface {
   SpotRule rule() const { return {surface_.side, cosine_smooth_}; }
   // From the scene to the frame of the surface, and back.
   Vec3 in_frame(const Vec3& x) const { return to_scene_.back()(x - origin_); }
+  Vec3 point_in_scene(const Vec3& point) const { return origin_ + to_scene_(point); }
   NearestPoint in_scene(NearestPoint found) const {
-    found.point = origin_ + to_scene_(found.point);
+    found.point = point_in_scene(found.point);
     found.normal = to_scene_(found.normal);
     return found;
   }
   const Rotation& to_scene() const { return to_scene_; }
-  // Velocity (m/s) of the material that is at a point, given from the origin of the frame (m): at the end of
-  // the step; and of that which is there in its middle, its displacement in the step / step.
-  Vec3 velocity(const Vec3& from_origin) const { return velocity_ + cross(spin_, from_origin); }
-  Vec3 mid_velocity(const Vec3& from_origin) const { return mid_velocity_ + cross(chord_, from_origin); }
-  // The nearest point in the middle of the step, of a surface that is no mesh; x: (m) there, in the scene.
-  NearestPoint mid_nearest(const Vec3& x) const;
+  const Rotation& mid_to_scene() const { return mid_to_scene_; }
+  // Velocity (m/s) of the material that is at a point (m) of the scene at the end of the step; and of that
+  // which is there in its middle, its displacement in the step / step.
+  Vec3 velocity_at(const Vec3& point) const { return velocity_ + cross(spin_, point - origin_); }
+  Vec3 mid_velocity_at(const Vec3& point) const { return mid_velocity_ + cross(chord_, point - mid_origin_); }
+  // The same in the middle of the step.
+  Vec3 mid_in_frame(const Vec3& x) const { return mid_to_scene_.back()(x - mid_origin_); }
+  Vec3 mid_point_in_scene(const Vec3& point) const { return mid_origin_ + mid_to_scene_(point); }
   NearestPoint mid_in_scene(NearestPoint found) const {
-    found.point = mid_origin_ + mid_to_scene_(found.point);
+    found.point = mid_point_in_scene(found.point);
     found.normal = mid_to_scene_(found.normal);
     return found;
   }
-  const Vec3& mid_origin() const { return mid_origin_; }
   const Vec3& origin() const { return origin_; }
   const Vec3& spin() const { return spin_; }
   const Vec3& mid_spin() const { return mid_spin_; }

@@ -36,7 +36,7 @@ std::vector<double> couple_by_rotation(int dimension, double angle) {
   }
   const ContactJacobian derivative(law, dimension);
   std::vector<double> jacobian, couple;
-  derivative.evaluate(contact.batch(1e-6), std::vector<double>(SCREE_LANES, 0.0).data(), jacobian);
+  derivative.evaluate(contact.batch(1e-6), std::vector<PairVariation>(SCREE_LANES), jacobian);
   const int first = derivative.first(PairMotion::rotation_a);
   for (int row = dimension; row < dimension + spins; ++row)
     for (int column = first; column < first + spins; ++column)

@@ -17,13 +17,14 @@ using scree::test::Values;
 
 namespace {
 
-constexpr double hollow = 1, radius = 0.1, mass = 2, gravity = 9.81, spring = 1e9;
-constexpr double overlap = mass * gravity / spring, length = hollow - radius + overlap;
+constexpr double hollow = 1, bead_radius = 0.1, bead_mass = 2, gravity = 9.81, hard_spring = 1e9;
+constexpr double bead_overlap = bead_mass * gravity / hard_spring,
+                 pendulum = hollow - bead_radius + bead_overlap;
 
 LinearSystem bead_in(const std::string& plugin, Values hollow_values, const Values& friction) {
-  Values law = {{"normal_stiffness", {spring}}, {"normal_damping", {0}}};
+  Values law = {{"normal_stiffness", {hard_spring}}, {"normal_damping", {0}}};
   law.insert(law.end(), friction.begin(), friction.end());
-  Scene s = test::scene(3, 1e-6, {test::body(1, radius, mass, {{0, 0, -length}})}, law);
+  Scene s = test::scene(3, 1e-6, {test::body(1, bead_radius, bead_mass, {{0, 0, -pendulum}})}, law);
   hollow_values.insert(hollow_values.end(), {{"point", {0, 0, 0}}, {"radius", {hollow}}, {"side", {2}}});
   test::add_boundary(s, plugin, hollow_values);
   test::add_body_force(s, "gravity", {{"acceleration_z", {-gravity}}});
@@ -47,21 +48,21 @@ TEST_CASE("a bead without friction swings in a bowl in two directions, and in a 
   const Eigen::VectorXd bowl = squares(bead_in("sphere", {}, {})),
                         trough = squares(bead_in("cylinder", {{"axis", {0, 1, 0}}}, {}));
   REQUIRE(bowl.size() == 3);
-  CHECK(bowl[0] == Approx(gravity / length).epsilon(1e-8));
-  CHECK(bowl[1] == Approx(gravity / length).epsilon(1e-8));
-  CHECK(bowl[2] == Approx(spring / mass));
+  CHECK(bowl[0] == Approx(gravity / pendulum).epsilon(1e-8));
+  CHECK(bowl[1] == Approx(gravity / pendulum).epsilon(1e-8));
+  CHECK(bowl[2] == Approx(hard_spring / bead_mass));
   REQUIRE(trough.size() == 3);
   CHECK(trough[0] == Approx(0).margin(1e-7));
-  CHECK(trough[1] == Approx(gravity / length).epsilon(1e-8));
+  CHECK(trough[1] == Approx(gravity / pendulum).epsilon(1e-8));
 }
 
 // ω² = 5 g/(7 L) of a solid ball that rolls without slip. The spring of friction gives way by m g/(k_t R)
 // = 2e-7, and the contact lies inside the ball by the overlap, 2e-7 of its radius.
 TEST_CASE("a bead that rolls in a bowl swings as one that rolls without slip", "[response]") {
-  const Values friction = {{"tangential_stiffness", {spring}}, {"static_friction", {1}}};
+  const Values friction = {{"tangential_stiffness", {hard_spring}}, {"static_friction", {1}}};
   const Eigen::VectorXd bowl = squares(bead_in("sphere", {}, friction));
   REQUIRE(bowl.size() == 6);
   CHECK(std::abs(bowl[0]) < 1e-5);  // it turns about the normal
-  CHECK(bowl[1] == Approx(5 * gravity / (7 * length)).epsilon(1e-5));
-  CHECK(bowl[2] == Approx(5 * gravity / (7 * length)).epsilon(1e-5));
+  CHECK(bowl[1] == Approx(5 * gravity / (7 * pendulum)).epsilon(1e-5));
+  CHECK(bowl[2] == Approx(5 * gravity / (7 * pendulum)).epsilon(1e-5));
 }

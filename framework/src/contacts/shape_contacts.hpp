@@ -1,0 +1,51 @@
+#pragma once
+
+#include "surfaces/placed_surface.hpp"
+
+#include <cmath>
+#include <cstddef>
+
+#include <scree/plugin/vec.hpp>
+
+namespace scree {
+
+// What a body meets at a surface: the nearest point, and the motion of the wall there.
+struct SurfacePoint {
+  Vec3 point, normal, mid_normal;  // the normal also in the middle of the step
+  Vec3 velocity, mid_velocity;     // (m/s) the latter where the nearest point is in the middle of the step
+};
+
+// nearest, middle: in the scene, at the end of the step and in its middle.
+inline SurfacePoint surface_point(const PlacedSurface& surface, const NearestPoint& nearest,
+                                  const NearestPoint& middle) {
+  return {nearest.point, nearest.normal, middle.normal, surface.velocity_at(nearest.point),
+          surface.mid_velocity_at(middle.point)};
+}
+
+// Bodies near one surface that is no mesh, in columns.
+class ShapeContacts {
+ public:
+  static constexpr std::size_t most = 16;  // bodies
+
+  bool full() const { return count_ == most; }
+  std::size_t count() const { return count_; }
+  void clear() { count_ = 0; }
+  // x, mid_velocity: (m, m/s) of the body.
+  void add(std::size_t pair, const Vec3& x, const Vec3& mid_velocity, double radius);
+  // Finds the points that all of them meet. step: (s).
+  void find(const PlacedSurface& surface, int dimension, double step);
+  std::size_t pair(std::size_t k) const { return pair_[k]; }
+  SurfacePoint point(std::size_t k) const;
+  double effective_radius(std::size_t k) const { return effective_radius_[k]; }
+
+ private:
+  struct Loops;
+  using Columns = double[3][most];
+
+  std::size_t count_ = 0;
+  std::size_t pair_[most];
+  alignas(64) Columns x_, body_velocity_, point_, normal_, mid_normal_, velocity_, mid_velocity_;
+  alignas(64) double radius_[most], effective_radius_[most];
+};
+
+}  // namespace scree
