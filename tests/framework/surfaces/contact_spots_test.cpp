@@ -178,6 +178,70 @@ TEST_CASE("a body has as many spots as may be, or fewer", "[surfaces]") {
   CHECK(single > 50);
 }
 
+// The nearest spot alone is found in another way than all. Where a body was may be on a triangle, whose
+// direction is not known there.
+TEST_CASE("triangles near the place where a body was give the spots where it is", "[surfaces]") {
+  std::mt19937_64 random(49);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  std::vector<NearTriangle> near, near_now;
+  SpotFinder finder, finder_now;
+  std::size_t single = 0, none = 0, several = 0;
+  for (int n = 0; n < 400; ++n) {
+    const Mesh hills = hills_mesh(1, 10, 0.5 * std::abs(uniform(random)), random);
+    const TriangleMesh mesh((n % 3 ? hills : box_mesh({{0.7, 0.8, 0.9}}, 4)).numbers(), 1);
+    for (int k = 0; k < 20; ++k) {
+      const double radius = 0.1 + 0.2 * std::abs(uniform(random)), margin = 0.1 * radius;
+      Vec3 x = {{uniform(random), uniform(random), n % 3 ? 0.3 * uniform(random) : uniform(random)}};
+      if (k % 4 == 0) x = nearest_spot(mesh, both_sides(0.35), x).point;
+      const Vec3 way = {{uniform(random), uniform(random), uniform(random)}};
+      const Vec3 moved = margin * std::abs(uniform(random)) / norm(way) * way, now = x + moved;
+      mesh.triangles().find_near(x, radius + margin, near);
+      mesh.triangles().find_near(now, radius, near_now);
+      for (const std::size_t most : {std::size_t(1), most_spots}) {
+        const auto& spots = finder.find(mesh, both_sides(0.35), {now, radius, most, moved}, near);
+        const auto& expected = finder_now.find(mesh, both_sides(0.35), {now, radius, most_spots}, near_now);
+        REQUIRE(spots.size() == std::min(most, expected.size()));
+        for (std::size_t i = 0; i < spots.size(); ++i) {
+          CHECK(spots[i].point == expected[i].point);
+          CHECK(spots[i].distance == expected[i].distance);
+        }
+        none += spots.empty(), single += spots.size() == 1, several += spots.size() > 1;
+      }
+    }
+  }
+  CHECK(none > 500);
+  CHECK(single > 500);
+  CHECK(several > 500);
+}
+
+TEST_CASE("where a mesh is smooth a body that moves a little has one spot", "[surfaces]") {
+  std::mt19937_64 random(50);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  std::vector<NearTriangle> near, some;
+  std::size_t smooth = 0, rough = 0;
+  for (int n = 0; n < 400; ++n) {
+    const TriangleMesh mesh(hills_mesh(1, 10, 0.1 * std::abs(uniform(random)), random).numbers(), 1);
+    const double reach = 0.4 * std::abs(uniform(random));
+    const Vec3 x = {{0.7 * uniform(random), 0.7 * uniform(random), 0.5 * reach * uniform(random)}};
+    mesh.triangles().find_near(x, reach, near);
+    const double travel = smooth_travel(mesh, both_sides(0.35), x, near);
+    if (near.empty()) continue;
+    const bool one = spots_possible(mesh, both_sides(0.35), x, near) == 1;
+    CHECK((one || !(travel > 0)));
+    travel > 0 ? ++smooth : ++rough;
+    for (int k = 0; k < 20 && travel > 0; ++k) {
+      const Vec3 way = {{uniform(random), uniform(random), uniform(random)}};
+      const double moved = std::min(travel, reach) * std::abs(uniform(random));
+      mesh.triangles().find_near(x + moved / norm(way) * way, (reach - moved) * std::abs(uniform(random)),
+                                 some);
+      CHECK(spots_possible(mesh, both_sides(0.35), x + moved / norm(way) * way, some) ==
+            std::min<std::size_t>(some.size(), 1));
+    }
+  }
+  CHECK(smooth > 100);
+  CHECK(rough > 50);
+}
+
 TEST_CASE("a closed mesh has an outside and an inside", "[surfaces]") {
   std::mt19937_64 random(48);
   std::uniform_real_distribution<double> uniform(-1.2, 1.2);
