@@ -35,8 +35,8 @@ class NearWalls {
   struct Clearance {
     Vec3 centre;
     double distance, approached;
-    // Of meshes: while the centre moves by less than a travel (m), triangles that come within `smooth_skin` (m)
-    // of the body less the travel allow one spot.
+    // Of meshes: while the centre moves by less than `smooth_travel` (m), the triangles within `smooth_skin`
+    // (m) of where the body was allow one spot.
     double smooth_skin, smooth_travel;
   };
 

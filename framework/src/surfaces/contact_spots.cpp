@@ -126,7 +126,7 @@ double height_over(const Triangle& triangle, const Vec3& x) {
   return dot(x - triangle.corner[0], triangle.normal);
 }
 
-// Whether the directions from triangles to x are within an angle of their sum, and no triangle is at a border.
+// Whether the directions from triangles to x are within an angle of their sum, and none is at a border.
 bool is_smooth(const TriangleMesh& mesh, double cosine, const Vec3& x, std::span<const NearTriangle> near) {
   const auto towards = [&](const NearTriangle& n) {
     const Triangle& triangle = mesh.triangles()[n.triangle];

@@ -27,8 +27,8 @@ class TriangleTree {
   TriangleTree(const std::vector<Triangle>& triangles, std::vector<std::uint32_t>& order);
   TriangleTree() = default;
 
-  // Replaces `near` by the triangles within a distance (m) of x, the nearest first. Distances below `hidden` of
-  // this have no direction.
+  // Replaces `near` by the triangles within a distance (m) of x, the nearest first. Distances below `hidden`
+  // of this have no direction.
   static constexpr double hidden = 1e-6;
   void find_near(const Vec3& x, double reach, std::vector<NearTriangle>& near) const;
   // The nearest triangle; of several, the one with the lowest number. most: (m) distance beyond which none is

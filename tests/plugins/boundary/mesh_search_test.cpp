@@ -28,7 +28,7 @@ Scene spheres_in_box() {
     bodies.push_back(body(k, 0.1 + 0.002 * double(k % 5), 1, place,
                           {{2 * std::cos(a), 2 * std::sin(a), 1.5 * std::sin(3 * a)}}));
   }
-  Scene s = scene(3, 1e-3, bodies,
+  Scene s = scene(3, 5e-4, bodies,
                   {{"normal_stiffness", {8000}},
                    {"restitution", {0.95}},
                    {"tangential_stiffness", {3000}},
@@ -37,7 +37,8 @@ Scene spheres_in_box() {
       s, "mesh",
       {{"file", box_mesh({{0.8, 0.8, 0.8}}, 16).numbers()}, {"spin", {0.3}}, {"spin_axis", {0, 0, 1}}},
       "box");
-  add_body_force(s, "gravity", {{"acceleration", {0, -1, -2}}});
+  s.skin = 0.002;  // below the overlaps, so that bodies slide on by more than the skin
+  add_body_force(s, "gravity", {{"acceleration", {1, -3, -6}}});
   return s;
 }
 
