@@ -17,17 +17,17 @@ using scree::test::Values;
 
 namespace {
 
-constexpr double hollow = 1, bead_radius = 0.1, bead_mass = 2, gravity = 9.81, hard_spring = 1e9;
-constexpr double bead_overlap = bead_mass * gravity / hard_spring,
-                 pendulum = hollow - bead_radius + bead_overlap;
+constexpr double hollow = 1, swinging_radius = 0.1, swinging_mass = 2, gravity = 9.81, hard_spring = 1e9;
+constexpr double swinging_overlap = swinging_mass * gravity / hard_spring,
+                 pendulum = hollow - swinging_radius + swinging_overlap;
 
 LinearSystem bead_in(const std::string& plugin, Values hollow_values, const Values& friction) {
   Values law = {{"normal_stiffness", {hard_spring}}, {"normal_damping", {0}}};
   law.insert(law.end(), friction.begin(), friction.end());
-  Scene s = test::scene(3, 1e-6, {test::body(1, bead_radius, bead_mass, {{0, 0, -pendulum}})}, law);
+  Scene s = test::scene(3, 1e-6, {test::body(1, swinging_radius, swinging_mass, {{0, 0, -pendulum}})}, law);
   hollow_values.insert(hollow_values.end(), {{"point", {0, 0, 0}}, {"radius", {hollow}}, {"side", {2}}});
   test::add_boundary(s, plugin, hollow_values);
-  test::add_body_force(s, "gravity", {{"acceleration_z", {-gravity}}});
+  test::add_body_force(s, "gravity", {{"acceleration", {0, 0, -gravity}}});
   return assemble(Simulation(s), {.fewest_contacts = 1});
 }
 
@@ -50,7 +50,7 @@ TEST_CASE("a bead without friction swings in a bowl in two directions, and in a 
   REQUIRE(bowl.size() == 3);
   CHECK(bowl[0] == Approx(gravity / pendulum).epsilon(1e-8));
   CHECK(bowl[1] == Approx(gravity / pendulum).epsilon(1e-8));
-  CHECK(bowl[2] == Approx(hard_spring / bead_mass));
+  CHECK(bowl[2] == Approx(hard_spring / swinging_mass));
   REQUIRE(trough.size() == 3);
   CHECK(trough[0] == Approx(0).margin(1e-7));
   CHECK(trough[1] == Approx(gravity / pendulum).epsilon(1e-8));
