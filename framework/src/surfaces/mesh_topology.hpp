@@ -24,8 +24,8 @@ class MeshTopology {
   void turn_alike(std::vector<Corners>& corners, MeshFindings& findings) const;
 
  private:
-  // Visits all triangles from edge to edge: begin(t) for the first one of each part, then meet(t, edge, other,
-  // is_new) for each pair of neighbours, from both.
+  // Visits all triangles from edge to edge: begin(t) for the first one of each part, then
+  // meet(t, edge, other, is_new) for each pair of neighbours, from both.
   template <class Begin, class Meet>
   void walk(const Begin& begin, const Meet& meet) const;
 

@@ -9,8 +9,8 @@
 
 namespace scree::test {
 
-// Bodies of radius 1 far from each other, each on a surface of its own, in which it is by 0.05 to 0.07: faces,
-// edges and corners, from inside and outside, with frames that are turned. Meshes come last.
+// Bodies of radius 1 far from each other, each on a surface of its own, in which it is by 0.05 to 0.07:
+// faces, edges and corners, from inside and outside, with frames that are turned. Meshes come last.
 inline Scene surface_beds(int dimension, const Values& law, const std::string& plugin, bool meshes = true) {
   struct Bed {
     std::string plugin;

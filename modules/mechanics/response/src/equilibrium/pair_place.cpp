@@ -79,7 +79,8 @@ Vec3 PairPlace::tangential_increment(scree_arms arms) const {
 
 // The derivative of the increment t = τ (1 − n nᵀ) s with s = u + n × w and w = l_a θ_a + l_b θ_b. n and l
 // are taken in the middle of the increment, by which the centres have moved half as far: n changes by half of
-// its derivative times u, and l by half of the change of the distance, n·u/2 of bodies. A pair that begins to touch, and approaches by a, touches for the share τ = δ/a.
+// its derivative times u, and l by half of the change of the distance, n·u/2 of bodies. A pair that begins to
+// touch, and approaches by a, touches for the share τ = δ/a.
 SlipDerivative PairPlace::slip_derivative(scree_arms arms) const {
   const Eigen::Vector3d n = vector(middle.normal), end = vector(normal), s = vector(slip(middle, arms));
   const Levers arm = lever_arms(arms, middle.distance);
