@@ -150,8 +150,12 @@ TEST_CASE("quasi-static refuses what it cannot follow in one line and writes not
         "scree: --quasi-static is a command of its own: scree quasi-static SCENARIO\n");
   CHECK(w.scree("response scene.toml").err ==
         "scree: scree response is now scree modes, or for quasi-static loads scree quasi-static\n");
-  w.write("scene.toml", biaxial + "\n[[boundary]]\nplugin = \"cylinder\"\npoint = [0, 0]\nradius = 100\n");
-  refused("", "surface 'cylinder' has no derivatives");
+  const std::string cylinder =
+      biaxial + "\n[[boundary]]\nplugin = \"cylinder\"\npoint = [0, 0]\nradius = 100\n";
+  w.write("scene.toml", cylinder + "force = 0\nmass = 1\ndirection = [1, 0]\n");
+  refused("", "surface cylinder is moved by forces, and a quasi-static load is that of planes");
+  w.write("scene.toml", cylinder + "spin = 1\n");
+  refused("", "wall cylinder turns, or is turned by torques");
   w.write("scene.toml", biaxial.substr(0, biaxial.find("[[stage]]\nname = \"cycles\"")));
   refused("", "the last stage is followed, and has no duration");
 }

@@ -1,6 +1,7 @@
 #include "assembly/contact_terms.hpp"
 #include "equilibrium/equilibrium.hpp"
 #include "equilibrium/first_event.hpp"
+#include "equilibrium/static_contacts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +28,7 @@ constexpr int most_events_located = 16;
 namespace {
 
 void check_surfaces(const Simulation& simulation, const WallEquations& equations) {
+  exact_surfaces(simulation);
   for (std::size_t w = simulation.planes().size(); w < equations.walls.size(); ++w)
     if (equations.walls[w].free == SCREE_FREE)
       throw Error(fmt::format(

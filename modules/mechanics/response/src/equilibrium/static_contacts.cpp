@@ -11,10 +11,7 @@
 
 namespace scree::response {
 
-namespace {
-
-// Numbers of the surfaces that exert forces. Throws Error for a mesh.
-std::vector<std::uint32_t> present_surfaces(const Simulation& simulation) {
+std::vector<std::uint32_t> exact_surfaces(const Simulation& simulation) {
   const WallSurfaces& surfaces = simulation.surfaces();
   std::vector<std::uint32_t> present;
   for (std::uint32_t s = 0; s < surfaces.size(); ++s) {
@@ -27,8 +24,6 @@ std::vector<std::uint32_t> present_surfaces(const Simulation& simulation) {
   }
   return present;
 }
-
-}  // namespace
 
 StaticContacts::StaticContacts(const Simulation& simulation, int spins) : simulation_(simulation) {
   for (std::uint32_t law = 0; law < simulation.scene().laws.size(); ++law)
@@ -69,7 +64,7 @@ void StaticContacts::find_pairs(const StaticConfiguration& at, double gap) {
     pairs[law].push_back({a, b, shift});
   };
   const std::vector<Sphere> wrapped = spheres(at);
-  const std::vector<std::uint32_t> surfaces = present_surfaces(simulation_);
+  const std::vector<std::uint32_t> surfaces = exact_surfaces(simulation_);
   const std::vector<NeighbourPair>& near = search_.find(wrapped, p.dimension(), domain, gap, threads_);
   auto next = near.begin();
   for (std::uint32_t a = 0; a < p.size(); ++a) {

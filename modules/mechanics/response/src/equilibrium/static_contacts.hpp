@@ -2,12 +2,16 @@
 
 #include "equilibrium/pairs_of_law.hpp"
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
 #include <scree/pair_search.hpp>
 
 namespace scree::response {
+
+// Numbers of the surfaces that exert forces. Throws Error if one is a mesh.
+std::vector<std::uint32_t> exact_surfaces(const Simulation& simulation);
 
 // Pairs of a packing that touch or are about to touch, with the histories of their laws, which advance in
 // increments of any size: the history at the end of an increment follows from the history before it and the
