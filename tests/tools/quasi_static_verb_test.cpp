@@ -153,7 +153,7 @@ TEST_CASE("quasi-static refuses what it cannot follow in one line and writes not
   const std::string cylinder =
       biaxial + "\n[[boundary]]\nplugin = \"cylinder\"\npoint = [0, 0]\nradius = 100\n";
   w.write("scene.toml", cylinder + "force = 0\nmass = 1\ndirection = [1, 0]\n");
-  refused("", "surface cylinder is moved by forces, and a quasi-static load is that of planes");
+  refused("", "surface cylinder is moved by forces, and quasi-static loads are exerted by planes");
   w.write("scene.toml", cylinder + "spin = 1\n");
   refused("", "wall cylinder turns, or is turned by torques");
   w.write("scene.toml", biaxial.substr(0, biaxial.find("[[stage]]\nname = \"cycles\"")));

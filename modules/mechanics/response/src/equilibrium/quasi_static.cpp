@@ -32,7 +32,7 @@ void check_surfaces(const Simulation& simulation, const WallEquations& equations
   for (std::size_t w = simulation.planes().size(); w < equations.walls.size(); ++w)
     if (equations.walls[w].free == SCREE_FREE)
       throw Error(fmt::format(
-          "surface {} is moved by forces, and a quasi-static load is that of planes; press with a plane, and set "
+          "surface {} is moved by forces, and quasi-static loads are exerted by planes; press with a plane, and set "
           "its control to \"fixed\"",
           simulation.wall_name(w)));
 }
