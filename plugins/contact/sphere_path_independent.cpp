@@ -23,7 +23,9 @@ struct SpherePathIndependent : sphere::Keys {
       "                                                  and ½ k_t'(δ) ξ² along the normal, outside Coulomb's limit\n"
       "ξ = R_a log_C(A) − R_b log_n(B)                   A, B: points of the surfaces, painted at first touch; n: normal,\n"
       "                                                  C = −n; log: arc of a great circle, as a tangent vector\n"
-      "    at a wall R_a log_C(A) + tangential part of x_a − x_w less that when painted\n"
+      "    at a plane R_a log_C(A) + tangential part of x_a − x_w less that when painted; at a surface R_a log_C(A) +\n"
+      "    arc from B to the nearest point: exact on flats, edges, cylinders and spheres; on cones and rims and across\n"
+      "    the third order of the angle between the two is left out\n"
       "V = normal part + ½ k_t ξ²                        forces and torques are −∂V/∂q; angular momentum is conserved\n"
       "f_d = P(k_t ξ + γ_t ξ') − k_t ξ                   dashpot; P: limits the magnitude to C = μ max(f_n, 0);\n"
       "                                                  ξ' = α v_t + e (ω_a − ω_b) × n as of discs: rolling is free\n"
@@ -95,6 +97,7 @@ struct Frictional : Frictionless<kind, by_restitution> {
   static constexpr bool writes_couple = true;
   static constexpr bool follows_backwards = true;
   static constexpr bool follows_onset = kind == Normal::linear && !falls;
+  static constexpr bool follows_surfaces = true;
 
   template <int D, class T>
   struct History {
@@ -121,18 +124,18 @@ struct Frictional : Frictionless<kind, by_restitution> {
   void force(const Contact<D, T, reads>& c, History<D, T>& h, LawOutput<D, T, true>& out) const {
     const normal::Force<T> f_n = this->normal_force(c, out);
     const tangential::PaintedPair<T, Contact<D, T, reads>> pair(c);
-    const Vec<D, T> rate =
-        pair.rate(tangential_part(c.relative_velocity, c.normal), c.relative_spin, c.normal);
+    const Vec<D, T> rate = pair.rate_at_contact();
     const bool painted = pair.painted(h.points);
     // At first touch the spring is as long as the pair moved while touching.
     const Vec<D, T> moved = tangential_part(c.tangential_increment, c.normal);
     const Vec<D, T> first = pair.first_share_of_a(moved);
     tangential::Shares<T> shares = pair.shares(h.points);
-    shares = {choose(painted, shares.a, first), choose(painted, shares.b, moved - first)};
+    shares = {choose(painted, shares.a, first), choose(painted, shares.b, moved - first),
+              painted ? shares.bend : T(0)};
     const Vec<D, T> without_slip = shares.a + shares.b, stretching = pair.stretching(shares, rate);
-    const bool far = pair.farthest(shares) > T(pair.arc_limit * pair.arc_limit);
+    const bool far = pair.is_far(shares);
     const Vec<D, T> anew = pair.painted_anew(shares);
-    shares = {choose(far, anew, shares.a), choose(far, anew, shares.b)};
+    shares = {choose(far, anew, shares.a), choose(far, anew, shares.b), shares.bend};
     const Vec<D, T> trial = shares.a + shares.b;
 
     const scree::SlipStep<D, T> step = slip_step(c, h, trial, rate, stretching, f_n.repulsive);

@@ -19,7 +19,7 @@ struct SpringRate {
 
   template <class AnyContact>
   static SpringRate of(const AnyContact& c) {
-    const bool wall = c.radius_b == T(0);
+    const bool wall = c.at_surface || c.radius_b == T(0);
     const T sum = c.radius_a + c.radius_b, inverse = T(1) / (sum - c.overlap);
     return {wall ? T(1) : sum * inverse,
             T(0.5) * c.overlap * (wall ? T(-1) : (c.radius_a - c.radius_b) * inverse), wall ? T(0) : inverse};

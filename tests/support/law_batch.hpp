@@ -14,10 +14,11 @@ namespace scree::test {
 
 class LawBatch {
  public:
-  LawBatch(const std::string& plugin, const Values& values, int dimension = 3)
+  LawBatch(const std::string& plugin, const Values& values, int dimension = 3,
+           ContactColumns::Partner partner = ContactColumns::Partner::body_or_plane)
       : dimension_(dimension),
         law_(parameters(plugin, SCREE_CONTACT_LAW, values), dimension, nowhere_, nowhere_),
-        contact_(1) {}
+        contact_(1, partner) {}
 
   double& input(scree_contact_input column, int k = 0) { return contact_.input(column, k); }
   void set(scree_contact_input column, const Vec3& v) { contact_.set(column, v); }
@@ -52,7 +53,7 @@ class LawBatch {
   Derivatives derivatives(double inverse_distance, double step) {
     Vec3 normal;
     for (int k = 0; k < 3; ++k) normal[k] = contact_.input(SCREE_NORMAL, k);
-    const std::vector<PairVariation> variations(SCREE_LANES, {across(inverse_distance, normal), {}});
+    const std::vector<PairVariation> variations(SCREE_LANES, {across(inverse_distance, normal), {}, {}});
     Derivatives all(law_, dimension_);
     all.jacobian_.evaluate(contact_.batch(step), variations, all.values_);
     return all;

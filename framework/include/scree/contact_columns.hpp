@@ -12,9 +12,10 @@ namespace scree {
 // plug-ins and tools; a simulation has its own columns.
 class ContactColumns {
  public:
+  enum class Partner { body_or_plane, surface };
   // count: contacts. Inputs are 0, but the normal is along x, and reduced mass (kg), effective radius (m) and
-  // onset weight are 1.
-  explicit ContactColumns(std::size_t count);
+  // onset weight are 1. Surfaces alone have SCREE_NORMAL_CHANGE.
+  explicit ContactColumns(std::size_t count, Partner partner = Partner::body_or_plane);
 
   std::size_t size() const { return size_; }
   // A scalar input, or component k of a vector input. Roots of the reduced mass and contact radii are derived
@@ -46,6 +47,7 @@ class ContactColumns {
   void derive_inputs();
 
   std::size_t size_, padded_;
+  Partner partner_;
   Column<double> input_, history_, output_;
 };
 

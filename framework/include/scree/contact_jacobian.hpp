@@ -18,6 +18,10 @@ enum class PairMotion {
   spin         // (rad/s) of a minus spin of b
 };
 inline constexpr int pair_motions = 6;
+// Whether a motion is a rotation or a spin.
+constexpr bool is_turning(PairMotion motion) {
+  return motion == PairMotion::rotation_a || motion == PairMotion::rotation_b || motion == PairMotion::spin;
+}
 // D, or, of rotations and spins, S: 1 in 2D and 3 in 3D.
 int motion_components(PairMotion motion, int dimension);
 

@@ -13,6 +13,7 @@ struct SurfacePlace {
   PairDirection<3> direction;  // unit normal from the surface to the body, distance of its centre (m)
   double effective_radius;     // R* (m) of a Hertz contact
   PairVariation change;        // while the body moves
+  Vec<4> orientation;          // quaternion (w, x, y, z) of the frame of the surface
 };
 
 // A body and one surface of all.

@@ -5,8 +5,8 @@
 
 namespace scree {
 
-ContactColumns::ContactColumns(std::size_t count)
-    : size_(count), padded_((count + SCREE_LANES - 1) / SCREE_LANES * SCREE_LANES) {
+ContactColumns::ContactColumns(std::size_t count, Partner partner)
+    : size_(count), padded_((count + SCREE_LANES - 1) / SCREE_LANES * SCREE_LANES), partner_(partner) {
   input_.assign(SCREE_CONTACT_INPUT_COUNT * padded_, 0.0);
   history_.assign(SCREE_MAX_HISTORY * padded_, 0.0);
   output_.assign(SCREE_CONTACT_OUTPUT_COUNT * padded_, 0.0);
@@ -33,7 +33,9 @@ scree_contact_batch ContactColumns::batch(double step, double kick) {
   contacts.count = std::uint32_t(padded_);
   contacts.step = step;
   contacts.kick = kick;
-  for (std::size_t k = 0; k < SCREE_CONTACT_INPUT_COUNT; ++k) contacts.input[k] = input_.data() + k * padded_;
+  const auto inputs =
+      std::size_t(partner_ == Partner::surface ? SCREE_CONTACT_INPUT_COUNT : SCREE_NORMAL_CHANGE);
+  for (std::size_t k = 0; k < inputs; ++k) contacts.input[k] = input_.data() + k * padded_;
   for (std::size_t k = 0; k < SCREE_MAX_HISTORY; ++k) contacts.history[k] = history_.data() + k * padded_;
   for (std::size_t k = 0; k < SCREE_CONTACT_OUTPUT_COUNT; ++k)
     contacts.output[k] = output_.data() + k * padded_;

@@ -61,6 +61,9 @@ class InputTangent {
       const PairVariation& change = variations[i];
       for (int k = 0; k < dimension_; ++k) set(SCREE_NORMAL + k, i, change.normal[std::size_t(k)][axis]);
       if (reads(SCREE_SEPARATION)) set(SCREE_SEPARATION + axis, i, 1);
+      if (batch_.input[SCREE_NORMAL_CHANGE])
+        for (int k = 0; k < 6; ++k)
+          set(SCREE_NORMAL_CHANGE + k, i, change.normal_change[std::size_t(k)][axis]);
       if (reads(SCREE_EFFECTIVE_RADIUS)) set(SCREE_EFFECTIVE_RADIUS, i, change.effective_radius[axis]);
       if (reads(SCREE_CONTACT_RADIUS)) set_contact_radius(i, -along, change.effective_radius[axis]);
     }
@@ -117,9 +120,7 @@ class InputTangent {
 }  // namespace
 
 int motion_components(PairMotion motion, int dimension) {
-  const bool turns =
-      motion == PairMotion::rotation_a || motion == PairMotion::rotation_b || motion == PairMotion::spin;
-  return turns && dimension == 2 ? 1 : dimension;
+  return is_turning(motion) && dimension == 2 ? 1 : dimension;
 }
 
 ContactJacobian::ContactJacobian(const ConfiguredLaw& law, int dimension)

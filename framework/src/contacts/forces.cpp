@@ -85,7 +85,8 @@ void Forces::update_pairs(Particles& particles, const Contacts& contacts, std::u
     work.share_order = ShareOrder(work.tiles, share_->owners.own(), *work.halo);
   }
   work.constants.update(contacts, particles, reads, features_.pair_forces, threads);
-  work.surfaces.plan(contacts, particles.width(), features_.sliding_work);
+  work.surfaces.plan(contacts, particles.width(),
+                     {.slips = features_.sliding_work, .paths = (reads & (1u << SCREE_SEPARATION)) != 0});
   if (features_.sliding_work) work.slips.assign(work.tiles.tiles().size(), {});
   particles.set_load_rows(work.tiles.slots());
   work.tile_sums.assign(work.tiles.tiles().size(), {});

@@ -35,6 +35,7 @@ class ShapeContacts {
   // Finds the points that all of them meet. step: (s).
   void find(const PlacedSurface& surface, int dimension, double step);
   std::size_t pair(std::size_t k) const { return pair_[k]; }
+  Vec3 centre(std::size_t k) const { return {{x_[0][k], x_[1][k], x_[2][k]}}; }
   SurfacePoint point(std::size_t k) const;
   double effective_radius(std::size_t k) const { return effective_radius_[k]; }
 

@@ -1,6 +1,7 @@
 #include "contacts/surface_contacts.hpp"
 
 #include "machine/instruction_levels.hpp"
+#include "surfaces/normal_change.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -40,7 +41,8 @@ NearestPoint away_from(const Vec3& x, double radius) {
 
 }  // namespace
 
-void SurfaceContacts::plan(const Contacts& contacts, std::size_t record_width, bool slips) {
+void SurfaceContacts::plan(const Contacts& contacts, std::size_t record_width,
+                           const kernel::SurfaceRecords::Kept& kept) {
   std::vector<std::size_t> first_row;
   std::size_t rows = 0, tiles = 0;
   any_ = false;
@@ -49,7 +51,7 @@ void SurfaceContacts::plan(const Contacts& contacts, std::size_t record_width, b
     tiles = std::max(tiles, group.runs.size());
     if (group.surfaces) rows += group.padded_size(), any_ = any_ || group.pairs > 0;
   }
-  records_.plan(std::move(first_row), rows, record_width, slips);
+  records_.plan(std::move(first_row), rows, record_width, kept);
   if (any_) mesh_spots_.resize(tiles);
   for (MeshSpots& spots : mesh_spots_) spots.renew();
 }
@@ -68,6 +70,16 @@ void SurfaceContacts::set(std::size_t row, const PlacedSurface& surface, const S
   set_part(records_.lever(row), at.point - surface.origin());
 }
 
+void SurfaceContacts::set_path(std::size_t row, const PlacedSurface& surface, int dimension, const Vec3& x,
+                               const NearestPoint& nearest) {
+  const auto change = symmetric_components(normal_change_in_scene(surface, dimension, x, nearest));
+  std::copy(change.begin(), change.end(), records_.normal_change(row));
+  const Rotation& frame = surface.to_scene();
+  double* const orientation = records_.orientation(row);
+  orientation[0] = frame.real;
+  set_part(orientation + 1, frame.axis);
+}
+
 void SurfaceContacts::resolve_shape(const PlacedSurface& surface, const Results& to, const Particles& p,
                                     ShapeContacts& bodies) {
   if (bodies.count() == 0) return;
@@ -75,6 +87,10 @@ void SurfaceContacts::resolve_shape(const PlacedSurface& surface, const Results&
   for (std::size_t k = 0; k < bodies.count(); ++k) {
     set(to.rows + bodies.pair(k), surface, bodies.point(k), p);
     if (to.effective_radius) to.effective_radius[bodies.pair(k)] = bodies.effective_radius(k);
+    if (!records_.keep_paths()) continue;
+    const Vec3 x = surface.in_frame(bodies.centre(k));
+    set_path(to.rows + bodies.pair(k), surface, p.dimension(), x,
+             nearest_point(surface.surface(), p.dimension(), x));
   }
   bodies.clear();
 }
@@ -110,10 +126,11 @@ SCREE_EVERY_LEVEL_INLINED void SurfaceContacts::resolve_spots(const PairsOfBody&
   MeshSpots::keep(spots, pairs);
   for (std::size_t pair = of.begin; pair < of.end; ++pair) {
     const std::size_t spot = pair - of.begin;
-    if (spot < spots.size())
+    if (spot < spots.size()) {
       set_pair(pair, of.surface.in_scene(spots[spot]),
                of.surface.mid_in_scene(mesh_spots.middle(spot, spots[spot])));
-    else
+      if (records_.keep_paths()) set_path(to.rows + pair, of.surface, p.dimension(), here, spots[spot]);
+    } else
       set_pair(pair, away_from(x, radius), away_from(x, radius));
   }
 }

@@ -19,8 +19,7 @@ namespace scree {
 class SurfaceContacts {
  public:
   // Makes room for the pairs; must be called after each neighbour search.
-  // slips: whether what friction dissipates is kept.
-  void plan(const Contacts& contacts, std::size_t record_width, bool slips);
+  void plan(const Contacts& contacts, std::size_t record_width, const kernel::SurfaceRecords::Kept& kept);
   // The surfaces of an evaluation, which are numbered behind `planes` planes, at the end of a step (s).
   void place(std::vector<PlacedSurface> surfaces, std::size_t planes, double step);
   bool any() const { return any_; }
@@ -53,6 +52,10 @@ class SurfaceContacts {
   void resolve_shape(const PlacedSurface& surface, const Results& to, const Particles& p,
                      ShapeContacts& bodies);
   void set(std::size_t row, const PlacedSurface& surface, const SurfacePoint& at, const Particles& p);
+  // What laws that follow bodies along the surface read. x: (m) centre of the body, nearest: nearest point, in
+  // the frame of the surface.
+  void set_path(std::size_t row, const PlacedSurface& surface, int dimension, const Vec3& x,
+                const NearestPoint& nearest);
 
   bool any_ = false;
   std::size_t planes_ = 0;

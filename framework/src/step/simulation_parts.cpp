@@ -256,11 +256,12 @@ void SimulationParts::configure_laws() {
           fmt::format("contact law '{}' now reads orientations, but the scene does not carry them; "
                       "set the parameters that need them from the start",
                       law.name));
-    if (boundaries.surfaces().size() > 0 && kernel::reads_paths(instance))
+    if (boundaries.surfaces().size() > 0 && kernel::reads_paths(instance) && !instance.follows_surfaces)
       throw Error(fmt::format(
           "contact law '{}' follows bodies along their paths, which it cannot on surface {}; choose a law with "
-          "springs, such as hertz_mindlin, or a plane",
-          law.name, boundaries.surfaces().names[0]));
+          "springs, such as {}, or a plane",
+          law.name, boundaries.surfaces().names[0],
+          scene.dimension == 2 ? "disc_corrected" : "sphere_path_independent"));
     laws.push_back({.interface = instance,
                     .storage = configured_laws.back().storage(),
                     .touching = OnsetWeights::of_power(instance.onset_power),

@@ -105,6 +105,27 @@ Matrix3 normal_change(const TriangleMesh& mesh, const Vec3& x, const NearestPoin
   return change;
 }
 
+namespace {
+
+Matrix3 turned(const Rotation& rotation, const Matrix3& matrix) {
+  Matrix3 all = {};
+  for (std::size_t k = 0; k < 3; ++k) {
+    Vec3 axis = {};
+    axis[int(k)] = 1;
+    const Vec3 row = rotation(matrix[k]), turned_axis = rotation(axis);
+    for (std::size_t i = 0; i < 3; ++i) all[i] += turned_axis[int(i)] * row;
+  }
+  return all;
+}
+
+}  // namespace
+
+Matrix3 normal_change_in_scene(const PlacedSurface& placed, int dimension, const Vec3& x,
+                               const NearestPoint& nearest) {
+  return turned(placed.to_scene(), placed.mesh() ? normal_change(*placed.mesh(), x, nearest)
+                                                 : normal_change(placed.surface(), dimension, x, nearest));
+}
+
 Vec3 curvature_change(const scree_surface& surface, const Vec3& x, const NearestPoint& nearest) {
   if (surface.shape != SCREE_REVOLVED || nearest.curvature[0] == 0) return {};
   const Vec3 along = along_line(surface, x);

@@ -1,21 +1,37 @@
 #include "surfaces/normal_change.hpp"
 #include "surfaces/placed_surface.hpp"
 
+#include <array>
+#include <cmath>
+
 #include <scree/surface_place.hpp>
 
 namespace scree {
 
 namespace {
 
-Matrix3 turned(const Rotation& rotation, const Matrix3& matrix) {
-  Matrix3 all = {};
-  for (std::size_t k = 0; k < 3; ++k) {
-    Vec3 axis = {};
-    axis[int(k)] = 1;
-    const Vec3 row = rotation(matrix[k]), turned_axis = rotation(axis);
-    for (std::size_t i = 0; i < 3; ++i) all[i] += turned_axis[int(i)] * row;
+// By differences of fourth order: laws have it times the spring and the overlap, so that 1e-8 of it is
+// round-off.
+std::array<Vec3, 6> change_of_normal_change(const PlacedSurface& placed, const BodyAtSurface& body,
+                                            const Vec3& x, const NearestPoint& nearest) {
+  const double step = 1e-4 * std::abs(nearest.distance);
+  const auto at = [&](int axis, double along) {
+    Vec3 moved = {};
+    moved[axis] = along;
+    const Vec3 there = x + placed.to_scene().back()(moved);
+    return symmetric_components(
+        normal_change_in_scene(placed, body.dimension, there,
+                               placed.mesh() ? nearest_spot(*placed.mesh(), placed.rule(), there)
+                                             : nearest_point(placed.surface(), body.dimension, there)));
+  };
+  std::array<Vec3, 6> change = {};
+  for (int axis = 0; axis < body.dimension; ++axis) {
+    const auto after = at(axis, step), before = at(axis, -step), late = at(axis, 2 * step),
+               early = at(axis, -2 * step);
+    for (std::size_t k = 0; k < 6; ++k)
+      change[k][axis] = (8 * (after[k] - before[k]) - (late[k] - early[k])) / (12 * step);
   }
-  return all;
+  return change;
 }
 
 // With the nearest point in the frame of the surface.
@@ -23,12 +39,12 @@ SurfacePlace place_of(const PlacedSurface& placed, const scree_surface& shape, c
                       const Vec3& x, const NearestPoint& nearest) {
   const Rotation& rotation = placed.to_scene();
   const double of_body = 1 / body.radius, radius = effective_radius_at(nearest.curvature, of_body);
-  SurfacePlace place = {{rotation(nearest.normal), nearest.distance}, radius, {}};
-  if (placed.mesh()) {
-    place.change.normal = turned(rotation, normal_change(*placed.mesh(), x, nearest));
-    return place;
-  }
-  place.change.normal = turned(rotation, normal_change(shape, body.dimension, x, nearest));
+  const Matrix3 change = normal_change_in_scene(placed, body.dimension, x, nearest);
+  SurfacePlace place = {{rotation(nearest.normal), nearest.distance},
+                        radius,
+                        {change, {}, change_of_normal_change(placed, body, x, nearest)},
+                        {{rotation.real, rotation.axis[0], rotation.axis[1], rotation.axis[2]}}};
+  if (placed.mesh()) return place;
   // ∂R*/∂κ₁ = −R*/(2 (1/R + κ₁)) where R* is not limited.
   const double together = of_body + nearest.curvature[0];
   if (together > of_body / largest_effective_radius)

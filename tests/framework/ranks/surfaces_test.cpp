@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -23,7 +25,7 @@ constexpr int steps_of_drum = sanitized ? 30 : 150;
 
 // Spheres that fill a turning drum with two end plates, one of which turns alone; of several tiles. The
 // mantle is a cylinder or a mesh with its lower plate, whose edge is touched twice.
-Scene drum_of_spheres(bool mesh) {
+Scene drum_of_spheres(bool mesh, const std::string& law) {
   std::vector<Body> bodies;
   for (int x = -7; x <= 7; ++x)
     for (int y = -7; y <= 7; ++y)
@@ -39,7 +41,8 @@ Scene drum_of_spheres(bool mesh) {
                   {{"normal_stiffness", {2000}},
                    {"restitution", {0.6}},
                    {"tangential_stiffness", {800}},
-                   {"static_friction", {0.4}}});
+                   {"static_friction", {0.4}}},
+                  law);
   if (mesh) {
     Mesh pot = cylinder_mesh(hollow, 10.5, 90, 12);
     pot.points.push_back({{0, 0, -10.5}});
@@ -84,8 +87,8 @@ struct TurnedDrum {
   bool operator==(const TurnedDrum&) const = default;
 };
 
-TurnedDrum turned_drum(bool mesh, unsigned threads, Ranks* ranks) {
-  Scene scene = drum_of_spheres(mesh);
+TurnedDrum turned_drum(bool mesh, const std::string& law, unsigned threads, Ranks* ranks) {
+  Scene scene = drum_of_spheres(mesh, law);
   scene.threads = threads;
   scene.sliding_work = true;
   Simulation s(scene, ranks);
@@ -103,20 +106,22 @@ TurnedDrum turned_drum(bool mesh, unsigned threads, Ranks* ranks) {
 }  // namespace
 
 TEST_CASE("surfaces that turn give the same bits on any number of threads and ranks", "[ranks]") {
-  for (const bool mesh : {false, true}) {
-    REQUIRE(drum_of_spheres(mesh).bodies.size() >= 3 * 1024);
-    const TurnedDrum expected = turned_drum(mesh, 1, nullptr);
+  for (const auto& [mesh, law] : {std::pair<bool, std::string>{false, "linear_spring_dashpot"},
+                                  {true, "linear_spring_dashpot"},
+                                  {true, "sphere_path_independent"}}) {
+    REQUIRE(drum_of_spheres(mesh, law).bodies.size() >= 3 * 1024);
+    const TurnedDrum expected = turned_drum(mesh, law, 1, nullptr);
     REQUIRE(expected.loads.size() == (mesh ? 3 : 4) * 6);
     for (std::size_t surface = 0; surface < (mesh ? 2 : 3); ++surface)
       CHECK(expected.loads[6 * surface + 5] != 0);
     CHECK(std::count_if(expected.sliding_work.begin(), expected.sliding_work.end(),
                         [](double w) { return w > 0; }) > 100);
-    CHECK(turned_drum(mesh, 3, nullptr) == expected);
+    CHECK(turned_drum(mesh, law, 3, nullptr) == expected);
     for (const bool at_random : {false, true})
       for (const unsigned count : {2u, 3u})
-        over_ranks(count, at_random, [&](Ranks& ranks) {
-          INFO(count << " ranks, tiles at random " << at_random << ", mesh " << mesh);
-          CHECK(turned_drum(mesh, 1, &ranks) == expected);
+        over_ranks(count, at_random, [&, mesh = mesh, law = law](Ranks& ranks) {
+          INFO(count << " ranks, tiles at random " << at_random << ", mesh " << mesh << ", " << law);
+          CHECK(turned_drum(mesh, law, 1, &ranks) == expected);
         });
   }
 }

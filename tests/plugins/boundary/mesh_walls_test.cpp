@@ -79,8 +79,10 @@ void add_weight(Scene& s, const Vec3& g = {{0, 0, -9.81}}) {
 
 // Round-off of 4000 steps, in which impacts and slip multiply it: 1e-16 × 4000 and a margin of 3.
 TEST_CASE("a flat mesh moves bodies as a plane does, whatever its triangles", "[surfaces]") {
-  const auto run_on = [](const std::function<void(Scene&)>& add_wall) {
-    Scene sc = scene(3, 2e-5, thrown_spheres(), frictional);
+  const std::string law = GENERATE("linear_spring_dashpot", "sphere_path_independent");
+  CAPTURE(law);
+  const auto run_on = [&](const std::function<void(Scene&)>& add_wall) {
+    Scene sc = scene(3, 2e-5, thrown_spheres(), frictional, law);
     add_wall(sc);
     add_weight(sc);
     Simulation s(sc);

@@ -27,13 +27,15 @@ const Values law_of_states = {{"normal_stiffness", {1e5}},
 }  // namespace
 
 TEST_CASE("a run with surfaces goes on from its state to the same bits, with each integrator", "[surfaces]") {
+  const std::string law = GENERATE("linear_spring_dashpot", "sphere_path_independent");
+  CAPTURE(law);
   for (const Integration integration : {Integration::velocity_verlet, Integration::position_verlet,
                                         Integration::fourth_order, Integration::predictor_corrector}) {
     std::vector<Body> bodies;
     for (int i = 0; i < 8; ++i)
       bodies.push_back(
           body(i + 1, 0.05, 0.1, {{0.11 * (i % 4) - 0.16, 0.11 * (i / 4) - 0.05, 0}}, {{0.3, -0.2, 0.1}}));
-    Scene sc = scene(3, 1e-5, bodies, law_of_states);
+    Scene sc = scene(3, 1e-5, bodies, law_of_states, law);
     sc.integration = integration;
     add_boundary(sc, "cylinder",
                  {{"point", {0, 0, 0}},

@@ -4,7 +4,7 @@
 
 namespace scree::test {
 
-template <class Kernel, int D, bool backwards, bool onset>
+template <class Kernel, int D, bool backwards, bool onset, bool at_surface>
 [[gnu::flatten]] void evaluate_pair(const Kernel& kernel, const Contact<D, double, Kernel::reads>* contacts,
                                     typename Kernel::template History<D, double>* histories,
                                     LawOutput<D, double, Kernel::writes_couple>* outputs, double* released,
@@ -15,6 +15,7 @@ template <class Kernel, int D, bool backwards, bool onset>
   auto contact = contacts[i];
   contact.backwards = backwards;
   contact.onset = onset;
+  contact.at_surface = at_surface;
   auto history = histories[i];
   released[i] = detail::released_energy(kernel, history);
   LawOutput<D, double, Kernel::writes_couple> out{};
@@ -24,11 +25,18 @@ template <class Kernel, int D, bool backwards, bool onset>
 }
 
 // Addresses of functions, so that these are compiled.
+template <class Kernel, int D, bool at_surface>
+struct FunctionsAtPartner {
+  static constexpr bool returns = detail::follows_backwards<Kernel>, begins = detail::follows_onset<Kernel>;
+  decltype(&evaluate_pair<Kernel, D, false, false, at_surface>) forwards =
+      &evaluate_pair<Kernel, D, false, false, at_surface>;
+  decltype(forwards) backwards = &evaluate_pair<Kernel, D, returns, false, at_surface>;
+  decltype(forwards) onset = &evaluate_pair<Kernel, D, false, begins, at_surface>;
+};
 template <class Kernel, int D>
 struct FunctionsOfKernel {
-  decltype(&evaluate_pair<Kernel, D, false, false>) forwards = &evaluate_pair<Kernel, D, false, false>;
-  decltype(forwards) backwards = &evaluate_pair<Kernel, D, detail::follows_backwards<Kernel>, false>;
-  decltype(forwards) onset = &evaluate_pair<Kernel, D, false, detail::follows_onset<Kernel>>;
+  FunctionsAtPartner<Kernel, D, false> body;
+  FunctionsAtPartner<Kernel, D, detail::follows_surfaces<Kernel>> surface;
 };
 template <class Kernel>
 struct InAllDimensions {

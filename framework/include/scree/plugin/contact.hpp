@@ -46,6 +46,7 @@ struct Contact {
   T kick;                                     // (s) for which the force acts; 0: evaluated without motion
   bool backwards;                             // step < 0, of kernels with `follows_backwards`; else false
   bool onset;  // whether any pair of the batch has an onset weight but 1, of kernels with `follows_onset`
+  bool at_surface;  // whether b is a surface, of kernels with `follows_surfaces`; else false
   // (m/s) of the contact points, a minus b, at the end of the step
   Input<reads, SCREE_RELATIVE_VELOCITY, Vector> relative_velocity;
   // (m) displacement of a's contact point relative to b's while touching in this step, perpendicular to the
@@ -61,12 +62,15 @@ struct Contact {
   Input<reads, SCREE_REDUCED_MASS_ROOT, T> reduced_mass_root;  // (kg^½)
   Input<reads, SCREE_EFFECTIVE_RADIUS, T> effective_radius;    // (m)
   // In 2D the angle (rad) since the start, in 3D the unit quaternion (w, x, y, z) of the rotation since the
-  // start. A wall does not turn.
+  // start; of a surface the orientation of its frame. A plane does not turn.
   Input<reads, SCREE_ORIENTATION_A, Orientation> orientation_a;
   Input<reads, SCREE_ORIENTATION_B, Orientation> orientation_b;
-  // (m) x_a − x_b. Of a wall: of a and of the wall's point, along a path without periodic jumps.
+  // (m) x_a − x_b. Of a wall: of a and of the plane's point or the origin of the surface's frame, along a path
+  // without periodic jumps.
   Input<reads, SCREE_SEPARATION, Vector> separation;
   Input<reads, SCREE_RADII, T> radius_a, radius_b;  // (m) of a wall 0
+  // (1/m) xx, yy, zz, xy, xz, yz of the derivative of the normal with the place of a, if at_surface
+  Vec<6, T> normal_change;
 };
 
 // Type of the couple of a kernel without `writes_couple`: any use of it fails to compile.

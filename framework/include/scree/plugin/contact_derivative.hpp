@@ -19,9 +19,10 @@ void differentiate_contacts(const void* storage, const scree_contact_batch* batc
   using History = typename Kernel::template History<D, Dual>;
   const Kernel kernel{*static_cast<const Parameters*>(storage)};
   for (std::uint32_t i = 0; i < batch->count; ++i) {
-    const auto contact = load_contact<Kernel, D>(
-        [&](std::uint32_t k) { return dual_at(batch->input[k], tangent->input[k], i); }, Dual(batch->step),
-        Dual(batch->kick));
+    const auto read = [&](std::uint32_t k) { return dual_at(batch->input[k], tangent->input[k], i); };
+    auto contact = load_contact<Kernel, D>(read, Dual(batch->step), Dual(batch->kick));
+    if constexpr (follows_surfaces<Kernel>)
+      if (batch->input[SCREE_NORMAL_CHANGE]) load_surface(read, contact);
     History history{};
     each_component<history_width<Kernel, D>, Dual>(
         history, [&](std::uint32_t k, Dual& value) { value = batch->history[k][i]; });

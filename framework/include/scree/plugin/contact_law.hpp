@@ -75,6 +75,7 @@ scree_contact_instance describe_kernel(const Parameters& parameters) {
   instance.writes_couple = Kernel::writes_couple;
   instance.tangential = Kernel::tangential;
   instance.arms = Kernel::arms;
+  instance.follows_surfaces = follows_surfaces<Kernel>;
   instance.history_width = history_width<Kernel, D>;
   instance.sliding_column = -1;
   if constexpr (requires { History::sliding_column; }) instance.sliding_column = History::sliding_column;

@@ -45,6 +45,13 @@ inline Contact<D, T, Kernel::reads> load_contact(const Read& read, const T& step
   return c;
 }
 
+// Likewise the inputs that only pairs with surfaces have.
+template <class Read, class AnyContact>
+inline void load_surface(const Read& read, AnyContact& c) {
+  c.at_surface = true;
+  load(c.normal_change, read, SCREE_NORMAL_CHANGE);
+}
+
 // Number of values in a history struct, which are stored in declared order.
 template <class Kernel, int D>
 inline constexpr std::uint32_t history_width = std::is_empty_v<typename Kernel::template History<D, double>>
@@ -96,6 +103,12 @@ inline constexpr bool follows_onset = requires {
   requires Kernel::follows_onset;
 };
 
+// Likewise for batches of pairs with surfaces (Contact::at_surface).
+template <class Kernel>
+inline constexpr bool follows_surfaces = requires {
+  requires Kernel::follows_surfaces;
+};
+
 inline bool any_onset(const scree_contact_batch& batch) {
   std::uint32_t near = 0;
   for (std::uint32_t i = 0; i < batch.count; ++i) near += batch.input[SCREE_ONSET_WEIGHT][i] != 1;
@@ -104,7 +117,7 @@ inline bool any_onset(const scree_contact_batch& batch) {
 
 // Flattened, because the loop vectorises only when the author's functions are inlined completely; not inlined
 // itself, so that a test can find it in the machine code.
-template <class Parameters, class Kernel, int D, bool audit, bool backwards, bool onset>
+template <class Parameters, class Kernel, int D, bool audit, bool backwards, bool onset, bool at_surface>
 [[gnu::flatten, gnu::noinline]] void evaluate_batch(const Parameters& parameters,
                                                     const scree_contact_batch& shared) {
   using History = typename Kernel::template History<D, double>;
@@ -116,9 +129,11 @@ template <class Parameters, class Kernel, int D, bool audit, bool backwards, boo
   const double step = batch.step, kick = batch.kick;
 #pragma GCC ivdep
   for (std::uint32_t i = 0; i < count; ++i) {
-    auto contact = load_contact<Kernel, D>([&](std::uint32_t k) { return batch.input[k][i]; }, step, kick);
+    const auto read = [&](std::uint32_t k) { return batch.input[k][i]; };
+    auto contact = load_contact<Kernel, D>(read, step, kick);
     contact.backwards = backwards;
     contact.onset = onset;
+    if constexpr (at_surface) load_surface(read, contact);
     History history{};
     each_component<width, double>(history,
                                   [&](std::uint32_t k, double& value) { value = batch.history[k][i]; });
@@ -146,24 +161,35 @@ template <class Parameters, class Kernel, int D, bool audit, bool backwards, boo
   }
 }
 
-template <class Parameters, class Kernel, int D, bool audit>
+template <class Parameters, class Kernel, int D, bool audit, bool at_surface>
 void evaluate_either_way(const Parameters& parameters, const scree_contact_batch& batch) {
   if constexpr (follows_backwards<Kernel>) {
-    if (batch.step < 0) return evaluate_batch<Parameters, Kernel, D, audit, true, false>(parameters, batch);
+    if (batch.step < 0)
+      return evaluate_batch<Parameters, Kernel, D, audit, true, false, at_surface>(parameters, batch);
   }
   if constexpr (follows_onset<Kernel>) {
-    if (any_onset(batch)) return evaluate_batch<Parameters, Kernel, D, audit, false, true>(parameters, batch);
+    if (any_onset(batch))
+      return evaluate_batch<Parameters, Kernel, D, audit, false, true, at_surface>(parameters, batch);
   }
-  evaluate_batch<Parameters, Kernel, D, audit, false, false>(parameters, batch);
+  evaluate_batch<Parameters, Kernel, D, audit, false, false, at_surface>(parameters, batch);
+}
+
+template <class Parameters, class Kernel, int D, bool audit>
+void evaluate_partners(const Parameters& parameters, const scree_contact_batch& batch) {
+  if constexpr (follows_surfaces<Kernel>) {
+    if (batch.input[SCREE_NORMAL_CHANGE])
+      return evaluate_either_way<Parameters, Kernel, D, audit, true>(parameters, batch);
+  }
+  evaluate_either_way<Parameters, Kernel, D, audit, false>(parameters, batch);
 }
 
 template <class Parameters, class Kernel, int D>
 void evaluate_contacts(const void* storage, const scree_contact_batch* batch) {
   const Parameters& parameters = *static_cast<const Parameters*>(storage);
   if (batch->output[SCREE_ELASTIC_NORMAL])
-    evaluate_either_way<Parameters, Kernel, D, true>(parameters, *batch);
+    evaluate_partners<Parameters, Kernel, D, true>(parameters, *batch);
   else
-    evaluate_either_way<Parameters, Kernel, D, false>(parameters, *batch);
+    evaluate_partners<Parameters, Kernel, D, false>(parameters, *batch);
 }
 
 }  // namespace scree::detail

@@ -52,6 +52,7 @@ struct alignas(64) BlockColumns {
   double orientation[2][4][block_size];  // of a, of b
   double placement[3][block_size];       // separation (m)
   double radius[2][block_size];          // of a, of b (m)
+  double normal_change[6][block_size];   // of surfaces
 };
 
 }  // namespace scree::kernel

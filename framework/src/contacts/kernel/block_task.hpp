@@ -36,6 +36,10 @@ struct BlockTask {
   std::size_t surface_row() const {
     return tile.input->surfaces->first_row(pairs.group) + pairs.begin - group.begin;
   }
+  template <Partner partner>
+  PairsToPlace to_place() const {
+    return {*tile.input, pairs.begin, padded(), partner == Partner::surface ? surface_row() : 0};
+  }
   bool arms_to_contact_point() const { return law.interface.arms == SCREE_ARM_CONTACT_POINT; }
 };
 

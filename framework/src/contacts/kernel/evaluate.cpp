@@ -47,7 +47,7 @@ SCREE_HOT void evaluate_block(const BlockTask& task, BlockColumns& block, Bodies
   bodies.prefetch();
   gather_and_prefetch<D, spin, partner>(task, block);
   if (reads_placement(task.law.interface))
-    gather_placement<planes>(*task.tile.input, task.law.interface, task.pairs.begin, task.padded(), block);
+    gather_placement<partner>(task.to_place<partner>(), task.law.interface, block);
   laps.lap(Profile::gather);
   bodies.prefetch();
   resolve<D, spin, partner>(task, block);

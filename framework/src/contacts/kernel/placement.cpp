@@ -4,64 +4,88 @@ namespace scree::kernel {
 
 namespace {
 
-template <bool planes>
-void gather_orientations(const EvaluationInput& input, std::size_t begin, std::uint32_t count,
-                         BlockColumns& block) {
-  const Orientations& orientations = input.particles.orientations;
+// The identity: angle 0, quaternion (1, 0, 0, 0).
+double identity(int components, int k) { return components > 1 && k == 0 ? 1 : 0; }
+
+template <Partner partner>
+void gather_orientations(const PairsToPlace& pairs, BlockColumns& block) {
+  const Contacts& contacts = pairs.input.contacts;
+  const Orientations& orientations = pairs.input.particles.orientations;
   const int components = orientations.components();
   const double* const values = orientations.data();
   const std::size_t stride = orientations.stride();
+  const auto of_body = [&](std::uint32_t body, int k) { return values[body * stride + std::size_t(k)]; };
   for (int k = 0; k < components; ++k) {
-    // The identity: angle 0, quaternion (1, 0, 0, 0).
-    const double of_plane = components > 1 && k == 0 ? 1 : 0;
-    for (std::uint32_t i = 0; i < count; ++i) {
-      block.orientation[0][k][i] = values[input.contacts.a[begin + i] * stride + std::size_t(k)];
-      block.orientation[1][k][i] =
-          planes ? of_plane : values[input.contacts.b[begin + i] * stride + std::size_t(k)];
+    for (std::uint32_t i = 0; i < pairs.count; ++i) {
+      block.orientation[0][k][i] = of_body(contacts.a[pairs.begin + i], k);
+      if constexpr (partner == Partner::body)
+        block.orientation[1][k][i] = of_body(contacts.b[pairs.begin + i], k);
+      else if constexpr (partner == Partner::plane)
+        block.orientation[1][k][i] = identity(components, k);
+      else
+        block.orientation[1][k][i] = pairs.input.surfaces->orientation(pairs.surface_row + i)[k];
     }
     block.batch.input[SCREE_ORIENTATION_A + k] = block.orientation[0][k];
     block.batch.input[SCREE_ORIENTATION_B + k] = block.orientation[1][k];
   }
 }
 
-// The separation from a plane is that along a path without periodic jumps.
-template <bool planes>
-void gather_separations(const EvaluationInput& input, std::size_t begin, std::uint32_t count,
-                        BlockColumns& block) {
+// The separation from a wall is that along a path without periodic jumps.
+template <Partner partner>
+void gather_separations(const PairsToPlace& pairs, BlockColumns& block) {
+  const EvaluationInput& input = pairs.input;
   for (int k = 0; k < input.particles.dimension(); ++k) {
-    const bool unwrap = planes && input.domain.periodic[std::size_t(k)];
+    const bool unwrap = is_wall(partner) && input.domain.periodic[std::size_t(k)];
     const double length = input.domain.length(k);
-    for (std::uint32_t i = 0; i < count; ++i) {
-      const double crossed = unwrap ? length * input.particles.image[k][input.contacts.a[begin + i]] : 0.0;
-      block.placement[k][i] = block.separation[k][i] + crossed;
+    for (std::uint32_t i = 0; i < pairs.count; ++i) {
+      const double crossed =
+          unwrap ? length * input.particles.image[k][input.contacts.a[pairs.begin + i]] : 0.0;
+      const double from_origin = partner == Partner::surface ? block.lever[k][i] : 0.0;
+      block.placement[k][i] = block.separation[k][i] + from_origin + crossed;
     }
     block.batch.input[SCREE_SEPARATION + k] = block.placement[k];
   }
 }
 
-template <bool planes>
-void gather_radii(const EvaluationInput& input, std::size_t begin, std::uint32_t count, BlockColumns& block) {
-  const auto radius = input.particles.radius();
-  for (std::uint32_t i = 0; i < count; ++i) {
-    block.radius[0][i] = radius[input.contacts.a[begin + i]];
-    block.radius[1][i] = planes ? 0 : radius[input.contacts.b[begin + i]];
+template <Partner partner>
+void gather_radii(const PairsToPlace& pairs, BlockColumns& block) {
+  const auto radius = pairs.input.particles.radius();
+  const Contacts& contacts = pairs.input.contacts;
+  for (std::uint32_t i = 0; i < pairs.count; ++i) {
+    block.radius[0][i] = radius[contacts.a[pairs.begin + i]];
+    block.radius[1][i] = is_wall(partner) ? 0 : radius[contacts.b[pairs.begin + i]];
   }
   for (int side = 0; side < 2; ++side) block.batch.input[SCREE_RADII + side] = block.radius[side];
 }
 
-}  // namespace
-
-template <bool planes>
-void gather_placement(const EvaluationInput& input, const scree_contact_instance& law, std::size_t begin,
-                      std::uint32_t count, BlockColumns& block) {
-  if (reads_orientations(law)) gather_orientations<planes>(input, begin, count, block);
-  if (law.reads & (1u << SCREE_SEPARATION)) gather_separations<planes>(input, begin, count, block);
-  if (law.reads & (1u << SCREE_RADII)) gather_radii<planes>(input, begin, count, block);
+// Of a surface; other pairs have none.
+template <Partner partner>
+void gather_normal_changes(const PairsToPlace& pairs, BlockColumns& block) {
+  for (int k = 0; k < 6; ++k) {
+    block.batch.input[SCREE_NORMAL_CHANGE + k] = nullptr;
+    if constexpr (partner == Partner::surface) {
+      for (std::uint32_t i = 0; i < pairs.count; ++i)
+        block.normal_change[k][i] = pairs.input.surfaces->normal_change(pairs.surface_row + i)[k];
+      block.batch.input[SCREE_NORMAL_CHANGE + k] = block.normal_change[k];
+    }
+  }
 }
 
-template void gather_placement<false>(const EvaluationInput&, const scree_contact_instance&, std::size_t,
-                                      std::uint32_t, BlockColumns&);
-template void gather_placement<true>(const EvaluationInput&, const scree_contact_instance&, std::size_t,
-                                     std::uint32_t, BlockColumns&);
+}  // namespace
+
+template <Partner partner>
+void gather_placement(const PairsToPlace& pairs, const scree_contact_instance& law, BlockColumns& block) {
+  if (reads_orientations(law)) gather_orientations<partner>(pairs, block);
+  if (law.reads & (1u << SCREE_SEPARATION)) gather_separations<partner>(pairs, block);
+  if (law.reads & (1u << SCREE_RADII)) gather_radii<partner>(pairs, block);
+  if (law.follows_surfaces) gather_normal_changes<partner>(pairs, block);
+}
+
+template void gather_placement<Partner::body>(const PairsToPlace&, const scree_contact_instance&,
+                                              BlockColumns&);
+template void gather_placement<Partner::plane>(const PairsToPlace&, const scree_contact_instance&,
+                                               BlockColumns&);
+template void gather_placement<Partner::surface>(const PairsToPlace&, const scree_contact_instance&,
+                                                 BlockColumns&);
 
 }  // namespace scree::kernel

@@ -19,10 +19,17 @@ inline bool reads_paths(const scree_contact_instance& law) {
   return reads_orientations(law) || (law.reads & (1u << SCREE_SEPARATION));
 }
 
-// After `gather`: gathers what the law reads of orientations, separations and radii of the pairs [begin,
-// begin + count), and passes it to the law. Not inlined into the loops over blocks, which rarely need it.
-template <bool planes>
-void gather_placement(const EvaluationInput& input, const scree_contact_instance& law, std::size_t begin,
-                      std::uint32_t count, BlockColumns& block);
+// Pairs [begin, begin + count), with the row of the first one among the records of surfaces.
+struct PairsToPlace {
+  const EvaluationInput& input;
+  std::size_t begin;
+  std::uint32_t count;
+  std::size_t surface_row;
+};
+
+// After `gather`: gathers what the law reads of orientations, separations, radii and turning normals, and
+// passes it to the law. Not inlined into the loops over blocks, which rarely need it.
+template <Partner partner>
+void gather_placement(const PairsToPlace& pairs, const scree_contact_instance& law, BlockColumns& block);
 
 }  // namespace scree::kernel

@@ -37,7 +37,7 @@ SCREE_HOT void evaluate_plane_load(const TileJob& job, scree_load& load) {
       assert_layout(task);
       gather<D, spin, Partner::plane>(task, work, [](std::uint32_t) {});
       if (reads_placement(task.law.interface))
-        gather_placement<true>(*job.input, task.law.interface, pairs.begin, task.padded(), work);
+        gather_placement<Partner::plane>(task.to_place<Partner::plane>(), task.law.interface, work);
       resolve<D, spin, Partner::plane>(task, work);
       call_law<D>(task, work);
       for (int k = 0; k < D; ++k) on_bodies.add(k, work.output[SCREE_FORCE + k], task.padded());

@@ -31,12 +31,15 @@ typedef enum scree_contact_input {
   SCREE_EFFECTIVE_RADIUS = 19,    /* (m) R* = R_a R_b/(R_a+R_b); for a wall R_a */
   SCREE_ORIENTATION_A = 20, /* 2D: 1 column, the angle (rad) of a since the start; 3D: 4 columns, the unit
                                      quaternion w, x, y, z of its rotation since the start */
-  SCREE_ORIENTATION_B = 24, /* of b; of a wall 0, or 1, 0, 0, 0 */
-  SCREE_SEPARATION =
-      28,           /* (m) x_a − x_b of the nearest images. Of a wall: of a and of the wall's point, while
-                                     a crosses periodic faces without a jump */
-  SCREE_RADII = 31, /* 2 columns (m): R_a, R_b; of a wall 0 */
-  SCREE_CONTACT_INPUT_COUNT = 33
+  SCREE_ORIENTATION_B = 24, /* of b; of the frame of a surface; of a plane 0, or 1, 0, 0, 0 */
+  SCREE_SEPARATION = 28,    /* (m) x_a − x_b of the nearest images. Of a wall: of a and of the plane's point
+                                     or the origin of the surface's frame, while a crosses periodic faces
+                                     without a jump */
+  SCREE_RADII = 31,         /* 2 columns (m): R_a, R_b; of a wall 0 */
+  SCREE_NORMAL_CHANGE = 33, /* 6 columns (1/m), xx, yy, zz, xy, xz, yz: derivative of the normal of a
+                                     surface with the place of a, symmetric. Given to laws that follow
+                                     surfaces, for batches of a surface alone */
+  SCREE_CONTACT_INPUT_COUNT = 39
 } scree_contact_input;
 
 /* Columns that a law writes. */
@@ -84,6 +87,9 @@ typedef struct scree_contact_instance {
   uint32_t writes_couple; /* nonzero if SCREE_COUPLE is written */
   uint32_t tangential;    /* nonzero if forces have tangential parts, so that bodies must carry spin */
   uint32_t arms;          /* scree_arms */
+  /* Nonzero if a law that reads orientations or separations knows surfaces, by SCREE_NORMAL_CHANGE; without,
+   * the host refuses it in scenes with surfaces. */
+  uint32_t follows_surfaces;
   uint32_t history_width; /* <= SCREE_MAX_HISTORY */
   int32_t sliding_column; /* history column that is above 0 while the contact slides; -1: none */
   /* Powers of time with which forces multiplied by SCREE_ONSET_WEIGHT begin at first touch and end at

@@ -25,7 +25,8 @@ ContactGeometry::Part ContactGeometry::part(const ContactJacobian& columns, cons
   using Whole = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const int rows = columns.rows(), all = columns.columns();
   const Eigen::Map<const Whole> whole(jacobians + i * std::size_t(rows * all), rows, all);
-  const int first = columns.first(motion), count = motion_components(motion, dimension);
+  // A scene without rotations takes no columns of these.
+  const int first = columns.first(motion), count = is_turning(motion) ? spins : dimension;
   return {whole.block(0, first, dimension, count), whole.block(dimension, first, spins, count)};
 }
 

@@ -70,24 +70,30 @@ void check_laws(const Scene& scene, LawsNeeded needed) {
 
 namespace {
 
-// Contacts of one law.
+// Contacts of one law with bodies and planes, or with surfaces.
 class LawContacts {
  public:
-  LawContacts(const Simulation& simulation, const ContactList& list, std::uint32_t law, int spins,
-              AtLimit at_limit, TimeStep time_step)
+  using Partner = ContactColumns::Partner;
+
+  LawContacts(const Simulation& simulation, const ContactList& list, std::uint32_t law, Partner partner,
+              int spins, AtLimit at_limit, TimeStep time_step)
       : simulation_(simulation),
         list_(list),
+        partner_(partner),
         law_(differentiable(simulation.scene().laws[law], simulation.dimension())),
         jacobian_(law_, simulation.dimension()),
         spins_(spins),
         at_limit_(at_limit),
         step_(simulation.step_length() * (time_step == TimeStep::limit ? short_step : 1)) {
+    const std::size_t first_surface = simulation.particles().size() + simulation.planes().size();
     for (std::size_t c = 0; c < list.size(); ++c)
-      if (list.law[c] == law) contacts_.push_back(c);
+      if (list.law[c] == law && (list.b[c] >= first_surface) == (partner == Partner::surface))
+        contacts_.push_back(c);
   }
 
   void append_terms(std::vector<ContactTerms>& terms) const {
-    ContactColumns columns(contacts_.size());
+    if (contacts_.empty()) return;
+    ContactColumns columns(contacts_.size(), partner_);
     std::vector<PairVariation> variations((contacts_.size() / SCREE_LANES + 1) * SCREE_LANES);
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       fill(columns, i);
@@ -232,19 +238,26 @@ class LawContacts {
     } else {
       const BodyAtSurface body = at_surface(pair, pair.b - p.size() - planes);
       pair.set_at_surface(place_towards(simulation_.surfaces(), body, pair.direction()), body.from_origin);
+      pair.crossed = crossed_by(pair.a);
     }
     return pair;
   }
   // As SCREE_SEPARATION.
   Vec3 from_plane(const PairAtRest& pair) const {
     const Particles& p = simulation_.particles();
-    const Domain& domain = simulation_.domain();
-    Vec3 from = {};
-    for (int k = 0; k < p.dimension(); ++k) {
-      const double crossed = domain.periodic[std::size_t(k)] ? domain.length(k) * p.image[k][pair.a] : 0;
-      from[k] = p.position()[k][pair.a] - simulation_.planes()[pair.b - p.size()].point[k] + crossed;
-    }
+    Vec3 from = crossed_by(pair.a);
+    for (int k = 0; k < p.dimension(); ++k)
+      from[k] = p.position()[k][pair.a] - simulation_.planes()[pair.b - p.size()].point[k] + from[k];
     return from;
+  }
+  // Periods that a body has crossed (m).
+  Vec3 crossed_by(std::uint32_t body) const {
+    const Domain& domain = simulation_.domain();
+    Vec3 crossed = {};
+    for (int k = 0; k < simulation_.dimension(); ++k)
+      if (domain.periodic[std::size_t(k)])
+        crossed[k] = domain.length(k) * simulation_.particles().image[k][body];
+    return crossed;
   }
   // Surfaces have no periodic images.
   BodyAtSurface at_surface(const PairAtRest& pair, std::size_t surface) const {
@@ -303,6 +316,7 @@ class LawContacts {
 
   const Simulation& simulation_;
   const ContactList& list_;
+  Partner partner_;
   ConfiguredLaw law_;
   ContactJacobian jacobian_;
   int spins_;
@@ -319,7 +333,8 @@ std::vector<ContactTerms> linearise_contacts(const Simulation& simulation, int s
   std::vector<ContactTerms> terms;
   for (std::uint32_t law = 0; law < simulation.scene().laws.size(); ++law)
     if (std::find(list.law.begin(), list.law.end(), law) != list.law.end())
-      LawContacts(simulation, list, law, spins, at_limit, time_step).append_terms(terms);
+      for (const auto partner : {ContactColumns::Partner::body_or_plane, ContactColumns::Partner::surface})
+        LawContacts(simulation, list, law, partner, spins, at_limit, time_step).append_terms(terms);
   return terms;
 }
 

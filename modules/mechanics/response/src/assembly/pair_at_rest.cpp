@@ -28,6 +28,7 @@ void PairAtRest::set_at_surface(const SurfacePlace& place, const Vec3& from_orig
   normal = place.direction.normal, distance = place.direction.distance;
   effective_radius = place.effective_radius;
   change = place.change;
+  wall_orientation = place.orientation;
 }
 
 Levers PairAtRest::lever_arms(scree_arms arms, double at_distance) const {
@@ -59,15 +60,16 @@ void PairAtRest::set_inputs(const Particles& particles, const Orientations& orie
   columns.input(SCREE_EFFECTIVE_RADIUS, 0, i) = effective_radius;
   columns.input(SCREE_RADII, 0, i) = radius_a;
   columns.input(SCREE_RADII, 1, i) = radius_b;
-  columns.set(SCREE_SEPARATION, separation, i);
+  columns.set(SCREE_SEPARATION, separation + crossed, i);
+  const auto turning = symmetric_components(change.normal);
+  for (int k = 0; k < 6; ++k) columns.input(SCREE_NORMAL_CHANGE, k, i) = turning[std::size_t(k)];
   if (reads & (1u << SCREE_ORIENTATION_A)) set_orientations(orientations, columns, i);
 }
 
 void PairAtRest::set_orientations(const Orientations& orientations, ContactColumns& columns,
                                   std::size_t i) const {
   for (int k = 0; k < orientations.components(); ++k) {
-    // Walls do not rotate.
-    const double of_wall = orientations.components() > 1 && k == 0 ? 1 : 0;
+    const double of_wall = orientations.components() > 1 ? wall_orientation[k] : 0;
     columns.input(SCREE_ORIENTATION_A, k, i) = orientations[k][a];
     columns.input(SCREE_ORIENTATION_B, k, i) = to_wall() ? of_wall : orientations[k][b];
   }

@@ -26,6 +26,8 @@ struct PairAtRest {
   double distance;            // (m) between centres, or from centre to wall
   Vec3 normal, separation;    // as SCREE_NORMAL, SCREE_SEPARATION (m)
   PairVariation change;
+  Vec3 crossed = {};                         // (m) periods that a has crossed, beside a surface
+  Vec<4> wall_orientation = {{1, 0, 0, 0}};  // quaternion of a surface
 
   // Radii from the particles; effective radius of bodies or a plane.
   PairAtRest(const Particles& particles, std::uint32_t a, std::uint32_t b);

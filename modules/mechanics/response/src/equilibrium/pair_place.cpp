@@ -31,7 +31,7 @@ PairPlace::PairPlace(const Simulation& simulation, const StaticPair& pair, const
   else if (wall < planes)
     set_at_plane(simulation.planes()[wall]);
   else
-    set_at_surface(simulation.surfaces(), wall - planes, simulation.dimension());
+    crossed = -pair.shift, set_at_surface(simulation.surfaces(), wall - planes, simulation.dimension());
 }
 
 void PairPlace::set_between() {

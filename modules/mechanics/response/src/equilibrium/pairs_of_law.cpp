@@ -17,8 +17,9 @@ scree_arms arms_of(const ConfiguredLaw& law) { return scree_arms(law.instance().
 
 }  // namespace
 
-PairsOfLaw::PairsOfLaw(const Simulation& simulation, std::uint32_t law, int spins)
+PairsOfLaw::PairsOfLaw(const Simulation& simulation, std::uint32_t law, Partner partner, int spins)
     : simulation_(simulation),
+      partner_(partner),
       law_(differentiable(simulation.scene().laws[law], simulation.dimension())),
       jacobian_(law_, simulation.dimension()),
       spins_(spins) {}
@@ -100,7 +101,7 @@ PairState PairsOfLaw::state_of(std::size_t i) {
 
 void PairsOfLaw::evaluate(const StaticConfiguration& after, const StaticMotion& motion, StaticLoads& loads) {
   largest_force_ = 0;
-  columns_.emplace(pairs_.size());
+  columns_.emplace(pairs_.size(), partner_);
   geometries_.clear();
   places_.clear();
   next_history_.assign(history_.size(), 0.0);

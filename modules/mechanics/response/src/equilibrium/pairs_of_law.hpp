@@ -18,11 +18,12 @@ struct StaticLoads {
   std::vector<Vec3> force, torque;
 };
 
-// The pairs of one law in StaticContacts, with their histories.
+// The pairs of one law in StaticContacts with bodies and planes, or with surfaces, with their histories.
 class PairsOfLaw {
  public:
+  using Partner = ContactColumns::Partner;
   // law: number in the scene; spins: as StaticContacts.
-  PairsOfLaw(const Simulation& simulation, std::uint32_t law, int spins);
+  PairsOfLaw(const Simulation& simulation, std::uint32_t law, Partner partner, int spins);
 
   // Sorted by (a, b). Pairs that were listed before keep their histories; new ones begin without.
   void set_pairs(std::vector<StaticPair> pairs);
@@ -48,6 +49,7 @@ class PairsOfLaw {
   void add_loads(std::size_t i, StaticLoads& loads);
 
   const Simulation& simulation_;
+  Partner partner_;
   ConfiguredLaw law_;
   ContactJacobian jacobian_;
   int spins_;

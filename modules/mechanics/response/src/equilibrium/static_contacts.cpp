@@ -26,17 +26,23 @@ std::vector<std::uint32_t> exact_surfaces(const Simulation& simulation) {
 }
 
 StaticContacts::StaticContacts(const Simulation& simulation, int spins) : simulation_(simulation) {
-  for (std::uint32_t law = 0; law < simulation.scene().laws.size(); ++law)
-    laws_.push_back(std::make_unique<PairsOfLaw>(simulation, law, spins));
+  for (const auto partner : {PairsOfLaw::Partner::body_or_plane, PairsOfLaw::Partner::surface})
+    for (std::uint32_t law = 0; law < simulation.scene().laws.size(); ++law)
+      laws_.push_back(std::make_unique<PairsOfLaw>(simulation, law, partner, spins));
   find_pairs(StaticConfiguration(simulation), 0);
   const ContactList list = simulation.contact_list();
   for (std::size_t c = 0; c < list.size(); ++c) {
-    PairsOfLaw& law = *laws_[list.law[c]];
+    PairsOfLaw& law = *laws_[place_of(list.law[c], list.b[c])];
     std::vector<double> history;
     for (std::uint32_t k = 0; k < law.width(); ++k)
       history.push_back(simulation.contact_history(list.pair[c], k));
     law.set_history(list.a[c], list.b[c], history, list.sliding[c]);
   }
+}
+
+std::size_t StaticContacts::place_of(std::uint32_t law, std::uint32_t b) const {
+  const bool surface = b >= simulation_.particles().size() + simulation_.planes().size();
+  return law + (surface ? simulation_.scene().laws.size() : 0);
 }
 
 std::vector<Sphere> StaticContacts::spheres(const StaticConfiguration& at) const {
@@ -61,7 +67,7 @@ void StaticContacts::find_pairs(const StaticConfiguration& at, double gap) {
   const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t material_b, const Vec3& shift) {
     const std::uint32_t law = simulation_.scene().law_of[p.material[a] * materials + material_b];
     if (simulation_.scene().laws[law].parameters.absent()) return;
-    pairs[law].push_back({a, b, shift});
+    pairs[place_of(law, b)].push_back({a, b, shift});
   };
   const std::vector<Sphere> wrapped = spheres(at);
   const std::vector<std::uint32_t> surfaces = exact_surfaces(simulation_);

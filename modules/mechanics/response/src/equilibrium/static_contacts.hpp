@@ -45,11 +45,13 @@ class StaticContacts {
  private:
   using StatesOfLaw = const std::vector<PairState>& (PairsOfLaw::*)() const;
   std::vector<PairState> states(StatesOfLaw states_of) const;
+  // Place in laws_ of the pairs of a law with a partner.
+  std::size_t place_of(std::uint32_t law, std::uint32_t b) const;
   // The bodies as spheres in the periodic domain.
   std::vector<Sphere> spheres(const StaticConfiguration& at) const;
 
   const Simulation& simulation_;
-  std::vector<std::unique_ptr<PairsOfLaw>> laws_;
+  std::vector<std::unique_ptr<PairsOfLaw>> laws_;  // with bodies and planes, then with surfaces
   ThreadPool threads_{1};
   PairSearch search_{PairSearch::Images::nearest};
 };
