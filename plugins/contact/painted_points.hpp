@@ -150,8 +150,8 @@ class PaintedPair {
   //   force of the spring  = −(S k ξ − θ C × (m_a − m_b))/X
   //   torque on a          = −R_a C × k ξ − θ (m_a + C), likewise on b; less arm_a C × force it is the
   //   couple               = e C × k ξ − θ ((arm_b m_a + arm_a m_b)/X + C),   arms R − δ/2, e of SpringRate
-  // Beside a wall 1/X = 0, S/X = 1, arm_a/X = 0, arm_b/X = 1, m_b = 0; beside a surface, whose normal turns by
-  // H dx with the centre, so that c moves by J dx, J = 1 − (R_a − δ) H, there is in addition
+  // Beside a wall 1/X = 0, S/X = 1, arm_a/X = 0, arm_b/X = 1, m_b = 0; beside a surface, whose normal turns
+  // by H dx with the centre, so that c moves by J dx, J = 1 − (R_a − δ) H, there is in addition
   //   force                = −H (δ k ξ − θ C × m_a) − J s θ C × b,   s: SurfaceArcs::shear
   SpringLoads<T> loads(const Shares<T>& s, const T& stiffness, const scree::Vec<3, T>& tension) const {
     const auto contact = -c_.normal;

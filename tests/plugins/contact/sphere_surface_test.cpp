@@ -274,8 +274,8 @@ TEST_CASE("a closed path at a curved wall stores no energy in the spring of sphe
     }
 }
 
-// Along a straight line of the wall, and along a great circle of the body: so far that points are painted anew
-// a hundred times. Each painting adds round-off, and on the other arcs of the wall nothing.
+// Along a straight line of the wall, and along a great circle of the body, so far that points are painted
+// anew a hundred times.
 TEST_CASE("a sphere that rolls far along a curved wall has no spring", "[sphere]") {
   struct Rolling {
     Shape shape;
