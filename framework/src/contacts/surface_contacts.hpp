@@ -52,8 +52,8 @@ class SurfaceContacts {
   void resolve_shape(const PlacedSurface& surface, const Results& to, const Particles& p,
                      ShapeContacts& bodies);
   void set(std::size_t row, const PlacedSurface& surface, const SurfacePoint& at, const Particles& p);
-  // What laws that follow bodies along the surface read. x: (m) centre of the body, nearest: nearest point, in
-  // the frame of the surface.
+  // What laws that follow bodies along the surface read. x: (m) centre of the body, nearest: nearest point,
+  // both in the frame of the surface.
   void set_path(std::size_t row, const PlacedSurface& surface, int dimension, const Vec3& x,
                 const NearestPoint& nearest);
 

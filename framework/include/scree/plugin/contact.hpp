@@ -65,8 +65,8 @@ struct Contact {
   // start; of a surface the orientation of its frame. A plane does not turn.
   Input<reads, SCREE_ORIENTATION_A, Orientation> orientation_a;
   Input<reads, SCREE_ORIENTATION_B, Orientation> orientation_b;
-  // (m) x_a − x_b. Of a wall: of a and of the plane's point or the origin of the surface's frame, along a path
-  // without periodic jumps.
+  // (m) x_a − x_b. Of a wall: of a and of the plane's point or the origin of the surface's frame, along a
+  // path without periodic jumps.
   Input<reads, SCREE_SEPARATION, Vector> separation;
   Input<reads, SCREE_RADII, T> radius_a, radius_b;  // (m) of a wall 0
   // (1/m) xx, yy, zz, xy, xz, yz of the derivative of the normal with the place of a, if at_surface

@@ -76,7 +76,11 @@ class Override {
     toml::table parsed = parse_value(value, place_);
     Slot slot{nullptr, {}, 0, &document_.root};
     for (std::size_t i = 0; i < path.size(); ++i) slot = enter(*slot.value, path[i], i + 1 == path.size());
-    assign(slot, std::move(*parsed.get("value")));
+    toml::node& given = *parsed.get("value");
+    if (slot.owner->is_array() && slot.value != nullptr && slot.value->is_table() && !given.is_table())
+      throw error(fmt::format("{} is a table", document_.path(*slot.value)),
+                  fmt::format("set a key of it, as in {}.key", trimmed(text_.substr(0, equals))));
+    assign(slot, std::move(given));
   }
 
  private:
@@ -129,10 +133,14 @@ class Override {
   }
 
   // Follows one segment of the path, from a table or from an array of tables. In an array the segment is the
-  // name of an entry, or a key of its only entry.
+  // name of an entry, which a value may replace as a whole, or a key of its only entry.
   Slot enter(toml::node& from, const Segment& segment, bool last) {
     Slot slot{nullptr, {}, 0, nullptr};
-    if (!last && from.is_array_of_tables()) slot.value = named_entry(*from.as_array(), segment.name);
+    if (from.is_array_of_tables() && !(last && from.as_array()->size() == 1)) {
+      toml::array& array = *from.as_array();
+      slot = {&array, {}, 0, named_entry(array, segment.name)};
+      while (slot.value != nullptr && &array[slot.index] != slot.value) ++slot.index;
+    }
     if (slot.value == nullptr) slot = child_of(table_at(from, segment.name), segment, last);
     for (std::size_t k = 0; k < segment.indices.size(); ++k)
       slot = entry_at(slot, segment.indices[k], k == 0);

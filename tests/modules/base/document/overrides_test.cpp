@@ -57,6 +57,14 @@ TEST_CASE("the only entry of an array of tables needs no naming") {
   CHECK(set({"time[0].step=3"}).root().table("time").number("step") == 3);
 }
 
+TEST_CASE("an entry of several is replaced as a whole under its name") {
+  const Table cycle = set({"stage.cycle={ name = \"cycle\", duration = 4 }"}).root().tables("stage")[1];
+  CHECK(cycle.keys() == std::vector<std::string>{"name", "duration"});
+  CHECK(cycle.number("duration") == 4);
+  CHECK(refusal("stage.cycle=4") ==
+        "--set stage.cycle=4: stage[1] is a table; set a key of it, as in stage.cycle.key");
+}
+
 TEST_CASE("elements of plain arrays go by index") {
   CHECK(set({"time.rows[1]=9"}).root().table("time").numbers("rows") == std::vector<double>{1, 9, 3});
   CHECK(set({"stage[1].motion.axis[0]=4"}).root().tables("stage")[1].table("motion").numbers("axis")[0] == 4);
