@@ -285,11 +285,15 @@ TEST_CASE("at first touch spheres are painted where they touched a curved wall f
       Pose start = poses.start(shape);
       start.a += (BodyAtWall(shape, false, start).overlap(start) - 4e-4) * BodyAtWall::normal(shape, start);
       const Pose pose = poses.moved(start, 1e-4);
-      BodyAtWall body(shape, false, start);
+      BodyAtWall body(shape, false, start), before(shape, false, start);
       body.touch_first(start, pose);
+      before.move_to(pose);
       INFO(shape.name << ", " << k);
       CHECK(norm(body.law_spring() - body.spring(pose)) < 1e-8);
       CHECK(body.from_painted() < 5e-6);
+      // 80 N/m times the arcs, 1e-4 m, times what the points differ by.
+      CHECK(norm(body.force() - before.force()) < 4e-8);
+      CHECK(norm(body.torque_on_body() - before.torque_on_body()) < 4e-8);
     }
 }
 
