@@ -111,8 +111,9 @@ class PaintedPair {
   // the stretching, by up to 0.022 φ⁴.
   scree::Vec<3, T> painted_anew(const Shares<T>& s) const {
     const auto spring = s.a + s.b, apart = s.a - s.b;
-    const T curvature = T(1.0 / 48) * scree::fused(inverse_radius_a_, inverse_radius_a_,
-                                                   inverse_radius_b_ * inverse_radius_b_);
+    const T of_b =
+        c_.at_surface ? surface_.gaussian_curvature({s.b, s.bend}) : inverse_radius_b_ * inverse_radius_b_;
+    const T curvature = T(1.0 / 48) * scree::fused(inverse_radius_a_, inverse_radius_a_, of_b);
     const T square = dot(apart, apart),
             shortening = curvature * scree::fused(T(0.5) * curvature, square, T(1));
     const auto across = fused(square, spring, -dot(apart, spring) * apart);

@@ -62,6 +62,13 @@ class SurfaceArcs {
     return roundness_ * of_sphere / (dot(b.arc, b.arc) + flat_square_);
   }
 
+  // Gaussian curvature (1/m²) along an arc b: φ²/b² on a sphere.
+  T gaussian_curvature(const SurfaceArc<T>& b) const {
+    const T square_of_sphere =
+        b.bend * scree::detail::polynomial(b.bend, 4.0, -8.0 / 3, 92.0 / 45, -176.0 / 105);
+    return roundness_ * square_of_sphere / (dot(b.arc, b.arc) + flat_square_);
+  }
+
  private:
   static constexpr double most_bend = 0.01;  // φ = 0.2: laws paint anew before
 

@@ -29,22 +29,26 @@ MeshSpots::Surroundings MeshSpots::known_before(const Key& key) {
   if (next_before_ < before_.size() && before_[next_before_].key == key)
     return std::move(before_[next_before_]);
   constexpr double nowhere = std::numeric_limits<double>::infinity();
-  return {key, {{nowhere, nowhere, nowhere}}, {}};
+  return {key, {{nowhere, nowhere, nowhere}}, {}, 0};
 }
 
 const std::vector<NearestPoint>& MeshSpots::find(const TriangleMesh& mesh, const SpotRule& rule,
                                                  const Key& key, const SpotQuery& query) {
   if (next_ == surroundings_.size()) surroundings_.push_back(known_before(key));
   Surroundings& of = surroundings_[next_++];
-  if (next_ < surroundings_.size())
-    if (const Surroundings& next = surroundings_[next_]; next.key.wall == key.wall && !next.near.empty())
-      prefetch(mesh.triangles()[next.near[0].triangle]);
+  constexpr std::size_t ahead = 1;  // bodies after the next one
+  if (next_ + ahead < surroundings_.size())
+    if (const Surroundings& later = surroundings_[next_ + ahead]; later.key.wall == key.wall)
+      prefetch(mesh.triangles()[later.nearest]);
   Vec3 moved = query.centre - of.centre;
   if (!(norm(moved) <= margin * query.reach)) {
     mesh.triangles().find_near(query.centre, distance_slack * (1 + margin) * query.reach, of.near);
     of.centre = query.centre, moved = {};
   }
-  return finder_.find(mesh, rule, {query.centre, query.reach, query.most, moved}, of.near);
+  const std::vector<NearestPoint>& spots =
+      finder_.find(mesh, rule, {query.centre, query.reach, query.most, moved, of.nearest}, of.near);
+  of.nearest = finder_.nearest_triangle(of.nearest);
+  return spots;
 }
 
 namespace {
@@ -75,6 +79,12 @@ void read_kept_spots(const PairGroup& group, std::size_t begin, std::size_t end,
       spots.push_back({read(group.spots, place, row), read(group.spots, direction, row), pair});
 }
 
+bool MeshSpots::touched(const Pairs& of) {
+  for (std::size_t pair = of.begin; pair < of.end; ++pair)
+    if (of.group.spots.column(there)[pair - of.group.begin] != 0) return true;
+  return false;
+}
+
 void MeshSpots::follow(const SpotRule& rule, const Vec3& x, const std::vector<NearestPoint>& spots,
                        const Pairs& of) {
   const std::size_t pairs = of.end - of.begin, now = std::min(spots.size(), pairs);
@@ -82,13 +92,27 @@ void MeshSpots::follow(const SpotRule& rule, const Vec3& x, const std::vector<Ne
   matches_.find(rule, x, std::span(spots).first(now), former_);
   if (former_.empty()) return;  // nothing touched, or a state without spots has been taken over
   const bool stays = pairs == 1 && now == 1 && matches_[0] == 0;
-  for (std::uint32_t k = 0; k < of.group.history_width && !stays; ++k) {
+  if (stays) return;
+  find_origins(pairs, now);
+  for (std::uint32_t k = 0; k < of.group.history_width; ++k) {
     double* const column = of.group.history.column(k) + (of.begin - of.group.begin);
     numbers_.assign(column, column + pairs);
     for (std::size_t s = 0; s < pairs; ++s)
-      column[s] =
-          s < now && matches_[s] >= 0 ? numbers_[former_[std::size_t(matches_[s])].pair - of.begin] : 0;
+      column[s] = origins_[s] >= 0 ? numbers_[former_[std::size_t(origins_[s])].pair - of.begin] : 0;
   }
+}
+
+// Spots that are no more go to pairs without one, where laws let their springs go.
+void MeshSpots::find_origins(std::size_t pairs, std::size_t now) {
+  origins_.assign(pairs, -1);
+  std::vector<bool> goes_on(former_.size(), false);
+  for (std::size_t s = 0; s < now; ++s) {
+    origins_[s] = matches_[s];
+    if (matches_[s] >= 0) goes_on[std::size_t(matches_[s])] = true;
+  }
+  std::size_t free = now;
+  for (std::size_t f = 0; f < former_.size() && free < pairs; ++f)
+    if (!goes_on[f]) origins_[free++] = int(f);
 }
 
 void MeshSpots::turn_springs(const Rotation& to_scene, const std::vector<NearestPoint>& spots,

@@ -44,6 +44,8 @@ class MeshSpots {
   // Then turns tangential springs as the normals of their spots have turned in the frame of the mesh.
   void turn_springs(const Rotation& to_scene, const std::vector<NearestPoint>& spots,
                     const Pairs& pairs) const;
+  // Whether any of the pairs touched in the last evaluation.
+  static bool touched(const Pairs& pairs);
   // Then: a spot in the middle of the step, in the frame of the mesh.
   NearestPoint middle(std::size_t spot, const NearestPoint& now) const;
   // Then keeps the spots.
@@ -55,13 +57,17 @@ class MeshSpots {
     Key key;
     Vec3 centre;
     std::vector<NearTriangle> near;
+    std::uint32_t nearest = 0;  // triangle in the last evaluation in which there was one
   };
   // What was known of a body before the last search; without triangles if nothing was.
   Surroundings known_before(const Key& key);
   std::vector<Surroundings> surroundings_, before_;  // of each body and mesh, in the order of the pairs
   std::size_t next_ = 0, next_before_ = 0;
   SpotFinder finder_;
+  // The former spot whose history each pair has now, or -1.
+  void find_origins(std::size_t pairs, std::size_t now);
   std::vector<double> numbers_;
+  std::vector<int> origins_;
   std::vector<KeptSpot> former_;
   SpotMatches matches_;  // of spots and former ones
 };

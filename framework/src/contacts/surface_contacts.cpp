@@ -34,11 +34,6 @@ void write_record(const PlacedSurface& surface, const SurfacePoint& at_point, in
   set_part(at + record::mid_spin, surface.mid_spin());
 }
 
-// Of a pair without a spot.
-NearestPoint away_from(const Vec3& x, double radius) {
-  return {x - Vec3{{0, 0, 2 * radius}}, {{0, 0, 1}}, 2 * radius, {}};
-}
-
 }  // namespace
 
 void SurfaceContacts::plan(const Contacts& contacts, std::size_t record_width,
@@ -52,6 +47,7 @@ void SurfaceContacts::plan(const Contacts& contacts, std::size_t record_width,
     if (group.surfaces) rows += group.padded_size(), any_ = any_ || group.pairs > 0;
   }
   records_.plan(std::move(first_row), rows, record_width, kept);
+  away_.assign(rows, 0);
   if (any_) mesh_spots_.resize(tiles);
   for (MeshSpots& spots : mesh_spots_) spots.renew();
 }
@@ -106,6 +102,16 @@ Vec3 vector_of(const Vectors<const double>& all, std::size_t body, int dimension
 
 }  // namespace
 
+// Farther than a body moves until the next search.
+void SurfaceContacts::set_away(std::size_t row, const PairsOfBody& of, const Vec3& x, const Particles& p) {
+  if (away_[row]) return;
+  constexpr double radii = 1e6;
+  const double distance = radii * p.radius()[of.body];
+  const NearestPoint far = {x - Vec3{{0, 0, distance}}, {{0, 0, 1}}, distance, {}};
+  set(row, of.surface, surface_point(of.surface, far, far), p);
+  away_[row] = 1;
+}
+
 SCREE_EVERY_LEVEL_INLINED void SurfaceContacts::resolve_spots(const PairsOfBody& of, const Results& to,
                                                               const Particles& p, MeshSpots& mesh_spots,
                                                               PairGroup& group) {
@@ -121,17 +127,23 @@ SCREE_EVERY_LEVEL_INLINED void SurfaceContacts::resolve_spots(const PairsOfBody&
       mesh_spots.find(*of.surface.mesh(), rule, {of.body, of.wall, p.order().number(of.body)},
                       {here, radius, of.end - of.begin});
   const MeshSpots::Pairs pairs = {group, of.begin, of.end};
+  if (spots.empty() && !MeshSpots::touched(pairs)) {
+    for (std::size_t pair = of.begin; pair < of.end; ++pair) set_away(to.rows + pair, of, x, p);
+    return;
+  }
   mesh_spots.follow(rule, here, spots, pairs);
   if (of.spring) mesh_spots.turn_springs(of.surface.to_scene(), spots, pairs);
   MeshSpots::keep(spots, pairs);
   for (std::size_t pair = of.begin; pair < of.end; ++pair) {
     const std::size_t spot = pair - of.begin;
     if (spot < spots.size()) {
+      away_[to.rows + pair] = 0;
       set_pair(pair, of.surface.in_scene(spots[spot]),
                of.surface.mid_in_scene(mesh_spots.middle(spot, spots[spot])));
       if (records_.keep_paths()) set_path(to.rows + pair, of.surface, p.dimension(), here, spots[spot]);
-    } else
-      set_pair(pair, away_from(x, radius), away_from(x, radius));
+    } else {
+      set_away(to.rows + pair, of, x, p);
+    }
   }
 }
 

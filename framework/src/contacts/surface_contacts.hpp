@@ -51,6 +51,8 @@ class SurfaceContacts {
   // Then there are no bodies left.
   void resolve_shape(const PlacedSurface& surface, const Results& to, const Particles& p,
                      ShapeContacts& bodies);
+  // A pair without a spot, which is far away until it has one.
+  void set_away(std::size_t row, const PairsOfBody& of, const Vec3& x, const Particles& p);
   void set(std::size_t row, const PlacedSurface& surface, const SurfacePoint& at, const Particles& p);
   // What laws that follow bodies along the surface read. x: (m) centre of the body, nearest: nearest point,
   // both in the frame of the surface.
@@ -62,6 +64,7 @@ class SurfaceContacts {
   double step_ = 0;
   std::vector<PlacedSurface> surfaces_;
   kernel::SurfaceRecords records_;
+  std::vector<std::uint8_t> away_;     // of each row
   std::vector<MeshSpots> mesh_spots_;  // of each tile
 };
 

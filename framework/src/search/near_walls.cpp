@@ -1,5 +1,6 @@
 #include "search/near_walls.hpp"
 
+#include "machine/instruction_levels.hpp"
 #include "surfaces/placed_surface.hpp"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ std::size_t spots_of_mesh(const TriangleMesh& mesh, const SpotRule& rule, const 
   // Beyond some skins a bound will do: from the axis of a drum all triangles are equally near.
   constexpr double skins = 30;
   // In skins, further than the skin: the more, the more triangles, but the less often.
-  constexpr double margin = 1;
+  constexpr double margin = 3;
   const double reach = radius + skin;
   known.smooth_skin = (1 + margin) * skin;
   mesh.triangles().find_near(here, radius + known.smooth_skin, near);
@@ -50,9 +51,11 @@ std::size_t spots_near(const PlacedSurface& surface, const Sphere& body, double 
 }
 
 // Walls near the bodies of a range, of each body in the order of their numbers.
-void add_near_walls(std::span<const Sphere> bodies, BodyRange range, const Boundaries& boundaries,
-                    const std::vector<PlacedSurface>& surfaces, int dimension, double skin, double approached,
-                    NearWalls::Clearance* known, std::vector<PlanePair>& pairs) {
+SCREE_EVERY_LEVEL_INLINED void add_near_walls(std::span<const Sphere> bodies, BodyRange range,
+                                              const Boundaries& boundaries,
+                                              const std::vector<PlacedSurface>& surfaces, int dimension,
+                                              double skin, double approached, NearWalls::Clearance* known,
+                                              std::vector<PlanePair>& pairs) {
   const std::vector<scree_plane>& planes = boundaries.planes();
   std::vector<NearTriangle> near;
   for (std::uint32_t i = std::uint32_t(range.begin); i < range.end; ++i) {

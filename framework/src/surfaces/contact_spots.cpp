@@ -45,20 +45,17 @@ SCREE_EVERY_LEVEL_INLINED void find_candidates(const TriangleTree& triangles, co
   std::sort(candidates.begin(), candidates.end(), is_nearer);
 }
 
-// The nearest one alone. The triangle that is asked first is mostly it: few others can be as near.
+// The nearest one alone: mostly the likely one, which few others can come as near as.
 SCREE_EVERY_LEVEL_INLINED void find_nearest_candidate(const TriangleTree& triangles, const SpotQuery& query,
                                                       std::span<const NearTriangle> near,
                                                       std::vector<SpotCandidate>& candidates) {
-  std::size_t first = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < near.size(); ++k)
-    if (const double bound = near[k].least_distance(query.moved); bound < least) first = k, least = bound;
-  if (!(least <= largest_bound(query.reach, query))) return;
-  SpotCandidate nearest = candidate_on(triangles, near[first].triangle, query.centre);
-  for (std::size_t k = 0; k < near.size(); ++k) {
-    if (k == first || near[k].least_distance(query.moved) > largest_bound(nearest.distance, query)) continue;
-    const SpotCandidate c = candidate_on(triangles, near[k].triangle, query.centre);
-    if (is_nearer(c, nearest)) nearest = c;
+  if (near.empty()) return;
+  SpotCandidate nearest = candidate_on(triangles, query.likely, query.centre);
+  double most = largest_bound(std::min(nearest.distance, query.reach), query);
+  for (const NearTriangle& n : near) {
+    if (n.least_distance(query.moved) > most || n.triangle == query.likely) continue;
+    const SpotCandidate c = candidate_on(triangles, n.triangle, query.centre);
+    if (is_nearer(c, nearest)) nearest = c, most = largest_bound(std::min(c.distance, query.reach), query);
   }
   if (nearest.distance < query.reach) candidates.push_back(nearest);
 }

@@ -33,6 +33,7 @@ struct SpotQuery {
   double reach;                   // (m) within which there are spots
   std::size_t most = most_spots;  // as many are found, the nearest
   Vec3 moved = {};                // (m) of the centre since the distances of triangles were measured
+  std::uint32_t likely = 0;       // triangle that may be the nearest one
 };
 
 // Round-off of distances, relative: triangles whose distance is longer by less are looked at.
@@ -48,6 +49,10 @@ class SpotFinder {
   // Valid until the next call.
   const std::vector<NearestPoint>& find(const TriangleMesh& mesh, const SpotRule& rule,
                                         const SpotQuery& query, std::span<const NearTriangle> near);
+  // The triangle that is nearest to the centre of the last query; `otherwise` if none is within the reach.
+  std::uint32_t nearest_triangle(std::uint32_t otherwise) const {
+    return candidates_.empty() ? otherwise : candidates_[0].triangle;
+  }
 
  private:
   std::vector<SpotCandidate> candidates_;

@@ -7,6 +7,8 @@
 #include <limits>
 #include <vector>
 
+#include <scree/column.hpp>
+
 namespace scree {
 
 // A triangle and its distance (m) from a point.
@@ -50,8 +52,8 @@ class TriangleTree {
   void grow(const std::vector<Triangle>& triangles, std::uint32_t node, std::uint32_t begin,
             std::uint32_t end, std::vector<std::uint32_t>& order);
 
-  std::vector<Triangle> triangles_;
-  std::vector<Node> nodes_;
+  Column<Triangle> triangles_;
+  Column<Node> nodes_;
 };
 
 }  // namespace scree
