@@ -231,7 +231,7 @@ void Forces::sum_frame_loads(const Particles& particles, std::size_t planes,
 
 void Forces::place_surfaces(const Evaluation& e) {
   work_->surfaces.place(placed_surfaces(e.surfaces, features_.dimension, e.elapsed), e.planes.size(),
-                        e.elapsed);
+                        e.domain, e.elapsed);
 }
 
 void Forces::keep_sliding_work(const WallSurfaces& surfaces) {

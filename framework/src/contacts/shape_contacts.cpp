@@ -51,9 +51,11 @@ struct ShapeContacts::Loops {
   }
 };
 
-void ShapeContacts::add(std::size_t pair, const Vec3& x, const Vec3& mid_velocity, double radius) {
+void ShapeContacts::add(std::size_t pair, const Vec3& x, const Vec3& mid_velocity, double radius,
+                        const Vec3& beyond) {
   const std::size_t k = count_++;
   pair_[k] = pair;
+  beyond_[k] = beyond;
   set_lane(x_, k, x);
   set_lane(body_velocity_, k, mid_velocity);
   radius_[k] = radius;

@@ -30,11 +30,12 @@ class ShapeContacts {
   bool full() const { return count_ == most; }
   std::size_t count() const { return count_; }
   void clear() { count_ = 0; }
-  // x, mid_velocity: (m, m/s) of the body.
-  void add(std::size_t pair, const Vec3& x, const Vec3& mid_velocity, double radius);
+  // x, mid_velocity: (m, m/s) of the body, which lies `beyond` x by some periods (m).
+  void add(std::size_t pair, const Vec3& x, const Vec3& mid_velocity, double radius, const Vec3& beyond);
   // Finds the points that all of them meet. step: (s).
   void find(const PlacedSurface& surface, int dimension, double step);
   std::size_t pair(std::size_t k) const { return pair_[k]; }
+  const Vec3& beyond(std::size_t k) const { return beyond_[k]; }
   Vec3 centre(std::size_t k) const { return {{x_[0][k], x_[1][k], x_[2][k]}}; }
   SurfacePoint point(std::size_t k) const;
   double effective_radius(std::size_t k) const { return effective_radius_[k]; }
@@ -45,6 +46,7 @@ class ShapeContacts {
 
   std::size_t count_ = 0;
   std::size_t pair_[most];
+  Vec3 beyond_[most];
   alignas(64) Columns x_, body_velocity_, point_, normal_, mid_normal_, velocity_, mid_velocity_;
   alignas(64) double radius_[most], effective_radius_[most];
 };

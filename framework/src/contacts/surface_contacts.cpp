@@ -52,18 +52,21 @@ void SurfaceContacts::plan(const Contacts& contacts, std::size_t record_width,
   for (MeshSpots& spots : mesh_spots_) spots.renew();
 }
 
-void SurfaceContacts::place(std::vector<PlacedSurface> surfaces, std::size_t planes, double step) {
+void SurfaceContacts::place(std::vector<PlacedSurface> surfaces, std::size_t planes, const Domain& domain,
+                            double step) {
   surfaces_ = std::move(surfaces);
+  domain_ = domain;
   step_ = step;
   planes_ = planes;
 }
 
-void SurfaceContacts::set(std::size_t row, const PlacedSurface& surface, const SurfacePoint& at,
+void SurfaceContacts::set(std::size_t row, const PlacedSurface& surface, SurfacePoint at, const Vec3& beyond,
                           const Particles& p) {
+  set_part(records_.lever(row), at.point - surface.origin());
+  at.point += beyond;
   write_record(surface, at, p.dimension(), p.has_spin(), records_.record(row));
   set_part(records_.normal(row), at.normal);
   set_part(records_.mid_normal(row), at.mid_normal);
-  set_part(records_.lever(row), at.point - surface.origin());
 }
 
 void SurfaceContacts::set_path(std::size_t row, const PlacedSurface& surface, int dimension, const Vec3& x,
@@ -81,7 +84,7 @@ void SurfaceContacts::resolve_shape(const PlacedSurface& surface, const Results&
   if (bodies.count() == 0) return;
   bodies.find(surface, p.dimension(), step_);
   for (std::size_t k = 0; k < bodies.count(); ++k) {
-    set(to.rows + bodies.pair(k), surface, bodies.point(k), p);
+    set(to.rows + bodies.pair(k), surface, bodies.point(k), bodies.beyond(k), p);
     if (to.effective_radius) to.effective_radius[bodies.pair(k)] = bodies.effective_radius(k);
     if (!records_.keep_paths()) continue;
     const Vec3 x = surface.in_frame(bodies.centre(k));
@@ -108,7 +111,7 @@ void SurfaceContacts::set_away(std::size_t row, const PairsOfBody& of, const Vec
   constexpr double radii = 1e6;
   const double distance = radii * p.radius()[of.body];
   const NearestPoint far = {x - Vec3{{0, 0, distance}}, {{0, 0, 1}}, distance, {}};
-  set(row, of.surface, surface_point(of.surface, far, far), p);
+  set(row, of.surface, surface_point(of.surface, far, far), {}, p);
   away_[row] = 1;
 }
 
@@ -116,12 +119,12 @@ SCREE_EVERY_LEVEL_INLINED void SurfaceContacts::resolve_spots(const PairsOfBody&
                                                               const Particles& p, MeshSpots& mesh_spots,
                                                               PairGroup& group) {
   const double radius = p.radius()[of.body];
-  const Vec3 x = vector_of(p.position(), of.body, p.dimension());
+  const Vec3 x = vector_of(p.position(), of.body, p.dimension()), beyond = domain_.beyond(x);
   const auto set_pair = [&](std::size_t pair, const NearestPoint& nearest, const NearestPoint& middle) {
-    set(to.rows + pair, of.surface, surface_point(of.surface, nearest, middle), p);
+    set(to.rows + pair, of.surface, surface_point(of.surface, nearest, middle), beyond, p);
     if (to.effective_radius) to.effective_radius[pair] = effective_radius_at(nearest.curvature, 1 / radius);
   };
-  const Vec3 here = of.surface.in_frame(x);
+  const Vec3 here = of.surface.in_frame(x - beyond);
   const SpotRule rule = of.surface.rule();
   const std::vector<NearestPoint>& spots =
       mesh_spots.find(*of.surface.mesh(), rule, {of.body, of.wall, p.order().number(of.body)},
@@ -168,8 +171,8 @@ void SurfaceContacts::resolve(std::size_t tile, Contacts& contacts, const Partic
         continue;
       }
       ShapeContacts& bodies = shapes[b - planes_];
-      bodies.add(q, vector_of(p.position(), a, p.dimension()), vector_of(p.mid_velocity(), a, p.dimension()),
-                 p.radius()[a]);
+      const Vec3 x = vector_of(p.position(), a, p.dimension()), beyond = domain_.beyond(x);
+      bodies.add(q, x - beyond, vector_of(p.mid_velocity(), a, p.dimension()), p.radius()[a], beyond);
       if (bodies.full()) resolve_shape(surface, to, p, bodies);
     }
     for (std::size_t s = 0; s < surfaces_.size(); ++s) resolve_shape(surfaces_[s], to, p, shapes[s]);
@@ -189,9 +192,9 @@ std::vector<SlidingWork::Slip> SurfaceContacts::slips_of(std::size_t tile, const
       const double energy = records_.slips()[row];
       if (!(backwards ? energy < 0 : energy > 0)) continue;
       const std::uint32_t surface = contacts.b[q] - std::uint32_t(planes_);
-      Vec3 point = {};
-      std::copy_n(records_.record(row) + record::position, dimension, point.component);
-      const std::size_t facet = on.facets(surface).at(surfaces_[surface].in_frame(point));
+      Vec3 from_origin = {};
+      std::copy_n(records_.lever(row), dimension, from_origin.component);
+      const std::size_t facet = on.facets(surface).at(surfaces_[surface].to_scene().back()(from_origin));
       slips.push_back({surface, std::uint32_t(facet), energy});
     }
   }

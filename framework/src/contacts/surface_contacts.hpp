@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <scree/domain.hpp>
 #include <scree/particles.hpp>
 
 namespace scree {
@@ -20,8 +21,9 @@ class SurfaceContacts {
  public:
   // Makes room for the pairs; must be called after each neighbour search.
   void plan(const Contacts& contacts, std::size_t record_width, const kernel::SurfaceRecords::Kept& kept);
-  // The surfaces of an evaluation, which are numbered behind `planes` planes, at the end of a step (s).
-  void place(std::vector<PlacedSurface> surfaces, std::size_t planes, double step);
+  // The surfaces of an evaluation, which are numbered behind `planes` planes, at the end of a step (s). Bodies
+  // meet them where they are in the periodic domain.
+  void place(std::vector<PlacedSurface> surfaces, std::size_t planes, const Domain& domain, double step);
   bool any() const { return any_; }
   // Finds the nearest points for the pairs of a tile, and the effective radii of its Hertzian contacts.
   // Histories follow the spots of meshes. springs: of each law, whether its histories begin with one.
@@ -53,7 +55,9 @@ class SurfaceContacts {
                      ShapeContacts& bodies);
   // A pair without a spot, which is far away until it has one.
   void set_away(std::size_t row, const PairsOfBody& of, const Vec3& x, const Particles& p);
-  void set(std::size_t row, const PlacedSurface& surface, const SurfacePoint& at, const Particles& p);
+  // beyond: (m) periods by which the body lies beyond the domain.
+  void set(std::size_t row, const PlacedSurface& surface, SurfacePoint at, const Vec3& beyond,
+           const Particles& p);
   // What laws that follow bodies along the surface read. x: (m) centre of the body, nearest: nearest point,
   // both in the frame of the surface.
   void set_path(std::size_t row, const PlacedSurface& surface, int dimension, const Vec3& x,
@@ -62,6 +66,7 @@ class SurfaceContacts {
   bool any_ = false;
   std::size_t planes_ = 0;
   double step_ = 0;
+  Domain domain_;
   std::vector<PlacedSurface> surfaces_;
   kernel::SurfaceRecords records_;
   std::vector<std::uint8_t> away_;     // of each row

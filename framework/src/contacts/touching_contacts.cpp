@@ -60,12 +60,13 @@ class Walls {
       return {normal, radius - height};
     }
     const PlacedSurface& surface = surfaces_[wall - planes_.size()];
+    const Vec3 inside = x - domain_.beyond(x);
     if (!surface.mesh()) {
-      const NearestPoint nearest = surface.nearest(x);
+      const NearestPoint nearest = surface.nearest(inside);
       return {nearest.normal, radius - nearest.distance};
     }
-    const std::optional<NearestPoint> spot =
-        spot_of_pair(*surface.mesh(), surface.rule(), surface.in_frame(x), radius, contacts, group, pair);
+    const std::optional<NearestPoint> spot = spot_of_pair(
+        *surface.mesh(), surface.rule(), surface.in_frame(inside), radius, contacts, group, pair);
     return spot ? Meeting{surface.in_scene(*spot).normal, radius - spot->distance} : Meeting{{}, -radius};
   }
 

@@ -29,8 +29,13 @@ std::vector<double> read_numbers_or_walls(const document::Table& table, const ch
   if (std::none_of(elements.begin(), elements.end(), is_text)) return table.numbers(key);
   const std::vector<std::string> names = planes ? plane_names(scene) : surface_names(scene);
   std::vector<double> numbers;
+  // at_walls, at_surfaces: the id of a body before each wall.
+  const bool pairs = std::string_view(key).starts_with("at_");
   for (std::size_t k = 0; k < elements.size(); ++k) {
     const std::string& element = elements[k];
+    if (pairs && k % 2 == 0 && is_text(element))
+      throw table.error(key, k, element + " is a name in the place of an id",
+                        "give the id of the body, then the number or the name of the wall");
     if (!is_text(element))
       numbers.push_back(number_of(element));
     else

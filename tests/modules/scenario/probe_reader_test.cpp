@@ -148,6 +148,8 @@ TEST_CASE("probes take walls by name or by number", "[scenario]") {
   CHECK(line_of("plugin = 'surfaces'\nsurfaces = [2]") == "surfaces = 2");
   CHECK(line_of("plugin = 'walls'\nwalls = ['box.x_high']") == "walls = 2");
   CHECK(line_of("plugin = 'contact'\nat_surfaces = [1, 'ring', 2, \"rod\"]") == "at_surfaces = 1, 1, 2, 2");
+  CHECK_THAT(message([&] { line_of("plugin = 'contact'\nat_surfaces = ['ring', 1]"); }),
+             Catch::Contains("is a name in the place of an id; give the id of the body"));
   const auto problem_with = [&](const std::string& probe) {
     return refusal(walled + "[[probe]]\nevery = 1e-4\n" + probe + "\n");
   };

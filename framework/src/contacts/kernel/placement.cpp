@@ -38,8 +38,11 @@ void gather_separations(const PairsToPlace& pairs, BlockColumns& block) {
     const bool unwrap = is_wall(partner) && input.domain.periodic[std::size_t(k)];
     const double length = input.domain.length(k);
     for (std::uint32_t i = 0; i < pairs.count; ++i) {
-      const double crossed =
-          unwrap ? length * input.particles.image[k][input.contacts.a[pairs.begin + i]] : 0.0;
+      const std::uint32_t a = input.contacts.a[pairs.begin + i];
+      double crossed = unwrap ? length * input.particles.image[k][a] : 0.0;
+      // Surfaces are met in the domain.
+      if (partner == Partner::surface && unwrap)
+        crossed += input.domain.beyond(k, input.particles.position()[k][a]);
       const double from_origin = partner == Partner::surface ? block.lever[k][i] : 0.0;
       block.placement[k][i] = block.separation[k][i] + from_origin + crossed;
     }

@@ -74,9 +74,10 @@ class Override {
     if (value.empty()) throw error("has no value", "write --set key='\"\"' for an empty text");
     const std::vector<Segment> path = read_path(text_.substr(0, equals));
     toml::table parsed = parse_value(value, place_);
+    toml::node& given = *parsed.get("value");
+    replaces_entries_ = given.is_table();
     Slot slot{nullptr, {}, 0, &document_.root};
     for (std::size_t i = 0; i < path.size(); ++i) slot = enter(*slot.value, path[i], i + 1 == path.size());
-    toml::node& given = *parsed.get("value");
     if (slot.owner->is_array() && slot.value != nullptr && slot.value->is_table() && !given.is_table())
       throw error(fmt::format("{} is a table", document_.path(*slot.value)),
                   fmt::format("set a key of it, as in {}.key", trimmed(text_.substr(0, equals))));
@@ -133,10 +134,13 @@ class Override {
   }
 
   // Follows one segment of the path, from a table or from an array of tables. In an array the segment is the
-  // name of an entry, which a value may replace as a whole, or a key of its only entry.
+  // name of an entry, which a value may replace as a whole, or a key of its only entry, which is replaced by a
+  // table alone.
   Slot enter(toml::node& from, const Segment& segment, bool last) {
     Slot slot{nullptr, {}, 0, nullptr};
-    if (from.is_array_of_tables() && !(last && from.as_array()->size() == 1)) {
+    const bool is_key = from.is_array_of_tables() && last && from.as_array()->size() == 1 &&
+                        (!replaces_entries_ || (*from.as_array())[0].as_table()->contains(segment.name));
+    if (from.is_array_of_tables() && !is_key) {
       toml::array& array = *from.as_array();
       slot = {&array, {}, 0, named_entry(array, segment.name)};
       while (slot.value != nullptr && &array[slot.index] != slot.value) ++slot.index;
@@ -252,6 +256,7 @@ class Override {
   DocumentState& document_;
   std::string place_;
   std::string_view text_;
+  bool replaces_entries_ = false;  // the value is a table
 };
 
 }  // namespace

@@ -67,11 +67,16 @@ void add_grazing_warning(const Simulation& s, std::vector<std::string>& warnings
   for (std::size_t k = 0; k < scene.laws.size(); ++k) {
     const double needed = closed_form(configured(scene, k), "grazing_steps").value_or(0);
     if (s.min_steps_per_contact() >= needed) continue;
+    const scree_plugin& law = scene.laws[k].parameters.plugin();
+    const bool has_history = std::any_of(
+        law.parameters, law.parameters + law.parameter_count,
+        [](const scree_parameter& parameter) { return std::string_view(parameter.key) == "history"; });
     warnings.push_back(fmt::format(
         "the shortest contact takes {:.3g} time steps; impacts at 80 degrees from the normal need {:.0f} with {} and "
         "the potential of its tangential spring, more as (tan of the angle)^0.8, or err by some per cent of their "
-        "impulse; shorten time.step if grazing impacts matter, or use history = \"rescaled\"",
-        s.min_steps_per_contact(), std::ceil(needed), scene.laws[k].name));
+        "impulse; shorten time.step if grazing impacts matter, or use {}",
+        s.min_steps_per_contact(), std::ceil(needed), scene.laws[k].name,
+        has_history ? "history = \"rescaled\"" : "hertz_mindlin with history = \"rescaled\""));
     return;
   }
 }

@@ -61,6 +61,10 @@ TEST_CASE("an entry of several is replaced as a whole under its name") {
   const Table cycle = set({"stage.cycle={ name = \"cycle\", duration = 4 }"}).root().tables("stage")[1];
   CHECK(cycle.keys() == std::vector<std::string>{"name", "duration"});
   CHECK(cycle.number("duration") == 4);
+  // Of an only entry too, unless it has the name as a key.
+  CHECK(set({"contact.hertz={ plugin = \"hertz\", friction = 1 }"}).root().tables("contact")[0].keys() ==
+        std::vector<std::string>{"plugin", "friction"});
+  CHECK(set({"contact.friction={ a = 1 }"}).root().tables("contact")[0].table("friction").integer("a") == 1);
   CHECK(refusal("stage.cycle=4") ==
         "--set stage.cycle=4: stage[1] is a table; set a key of it, as in stage.cycle.key");
 }

@@ -238,7 +238,7 @@ class LawContacts {
     } else {
       const BodyAtSurface body = at_surface(pair, pair.b - p.size() - planes);
       pair.set_at_surface(place_towards(simulation_.surfaces(), body, pair.direction()), body.from_origin);
-      pair.crossed = crossed_by(pair.a);
+      pair.crossed = crossed_by(pair.a) + simulation_.domain().beyond(position_of(pair.a));
     }
     return pair;
   }
@@ -262,10 +262,16 @@ class LawContacts {
   // Surfaces have no periodic images.
   BodyAtSurface at_surface(const PairAtRest& pair, std::size_t surface) const {
     const Particles& p = simulation_.particles();
+    const Vec3 x = position_of(pair.a), inside = x - simulation_.domain().beyond(x);
     BodyAtSurface body = {surface, p.dimension(), {}, pair.radius_a};
     for (int k = 0; k < p.dimension(); ++k)
-      body.from_origin[k] = p.position()[k][pair.a] - simulation_.surfaces().frames[surface].position[k];
+      body.from_origin[k] = inside[k] - simulation_.surfaces().frames[surface].position[k];
     return body;
+  }
+  Vec3 position_of(std::uint32_t body) const {
+    Vec3 x = {};
+    for (int k = 0; k < simulation_.dimension(); ++k) x[k] = simulation_.particles().position()[k][body];
+    return x;
   }
   ContactGeometry geometry(std::size_t c) const {
     return pair(c).geometry(simulation_.dimension(), spins_, scree_arms(law_.instance().arms));
