@@ -239,8 +239,8 @@ TEST_CASE("a ball on a turntable circles with 2/7 of its spin", "[surfaces]") {
   CHECK(norm(position(s, 0) - Vec3{{0, 0, position(s, 0)[2]}}) == Approx(place).epsilon(1e-2));
 }
 
-// A ball rolls along a trough whose axis is periodic: three periods are as far as in a long trough, also if the
-// trough is as long as the period, whose ends the ball passes before it is folded. Places differ by the
+// A ball rolls along a trough whose axis is periodic: three periods are as far as in a long trough, also if
+// the trough is as long as the period, whose ends the ball passes before it is folded. Places differ by the
 // round-off of the period.
 TEST_CASE("springs follow bodies on a surface across periodic faces", "[surfaces]") {
   const auto rolled = [](bool periodic, bool endless, const std::string& law) {

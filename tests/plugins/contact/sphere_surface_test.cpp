@@ -318,8 +318,8 @@ TEST_CASE("a closed path at a curved wall stores no energy in the spring of sphe
 
 namespace {
 
-// Rolls without slip and twist as the place of a body turns about an axis through the origin, and climbs along
-// it (m/rad); calls each(body) after each step.
+// Rolls without slip and twist as the place of a body turns about an axis through the origin, and climbs
+// along it (m/rad); calls each() after each step.
 void roll(const Shape& shape, Pose& pose, BodyAtWall& body, const Vec3& axis, double climb,
           const std::function<void()>& each) {
   constexpr int steps = 40000;
