@@ -124,8 +124,8 @@ TEST_CASE("a flat mesh moves bodies as a plane does, whatever its triangles", "[
   }
 }
 
-// Springs that are as long as they can be when bodies leave, from faces, edges and corners: their energy is in
-// the balance, as at planes.
+// Springs that are as long as they can be when bodies leave, from faces, edges and corners: their energy is
+// in the balance, as at planes.
 TEST_CASE("what springs let go of at a mesh is in the balance", "[surfaces]") {
   const std::string law = GENERATE("linear_spring_dashpot", "sphere_path_independent");
   CAPTURE(law);

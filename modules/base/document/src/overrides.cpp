@@ -134,8 +134,8 @@ class Override {
   }
 
   // Follows one segment of the path, from a table or from an array of tables. In an array the segment is the
-  // name of an entry, which a value may replace as a whole, or a key of its only entry, which is replaced by a
-  // table alone.
+  // name of an entry, which a value may replace as a whole, or a key of its only entry, which a table alone
+  // replaces.
   Slot enter(toml::node& from, const Segment& segment, bool last) {
     Slot slot{nullptr, {}, 0, nullptr};
     const bool is_key = from.is_array_of_tables() && last && from.as_array()->size() == 1 &&
