@@ -21,8 +21,8 @@ class SurfaceContacts {
  public:
   // Makes room for the pairs; must be called after each neighbour search.
   void plan(const Contacts& contacts, std::size_t record_width, const kernel::SurfaceRecords::Kept& kept);
-  // The surfaces of an evaluation, which are numbered behind `planes` planes, at the end of a step (s). Bodies
-  // meet them where they are in the periodic domain.
+  // The surfaces of an evaluation, which are numbered behind `planes` planes, at the end of a step (s).
+  // Bodies meet them where they are in the periodic domain.
   void place(std::vector<PlacedSurface> surfaces, std::size_t planes, const Domain& domain, double step);
   bool any() const { return any_; }
   // Finds the nearest points for the pairs of a tile, and the effective radii of its Hertzian contacts.
