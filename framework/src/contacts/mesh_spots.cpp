@@ -1,6 +1,7 @@
 #include "contacts/mesh_spots.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <tuple>
@@ -86,9 +87,10 @@ bool MeshSpots::touched(const Pairs& of) {
 }
 
 void MeshSpots::follow(const SpotRule& rule, const Vec3& x, const std::vector<NearestPoint>& spots,
-                       const Pairs& of) {
+                       const Pairs& of, const Surrounded& by) {
   const std::size_t pairs = of.end - of.begin, now = std::min(spots.size(), pairs);
   read_kept_spots(of.group, of.begin, of.end, former_);
+  if (by.domain.any_periodic()) bring_former_near(x, by);
   matches_.find(rule, x, std::span(spots).first(now), former_);
   if (former_.empty()) return;  // nothing touched, or a state without spots has been taken over
   const bool stays = pairs == 1 && now == 1 && matches_[0] == 0;
@@ -99,6 +101,17 @@ void MeshSpots::follow(const SpotRule& rule, const Vec3& x, const std::vector<Ne
     numbers_.assign(column, column + pairs);
     for (std::size_t s = 0; s < pairs; ++s)
       column[s] = origins_[s] >= 0 ? numbers_[former_[std::size_t(origins_[s])].pair - of.begin] : 0;
+  }
+}
+
+void MeshSpots::bring_former_near(const Vec3& x, const Surrounded& by) {
+  for (KeptSpot& former : former_) {
+    const Vec3 apart = by.to_scene(x - former.point);
+    Vec3 periods = {};
+    for (int k = 0; k < 3; ++k)
+      if (by.domain.periodic[std::size_t(k)])
+        periods[k] = std::round(apart[k] / by.domain.length(k)) * by.domain.length(k);
+    if (dot(periods, periods) > 0) former.point += by.to_scene.back()(periods);
   }
 }
 

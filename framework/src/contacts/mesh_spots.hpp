@@ -38,9 +38,15 @@ class MeshSpots {
     PairGroup& group;
     std::size_t begin, end;
   };
-  // Moves the histories of pairs to the pairs that have their spots now.
-  void follow(const SpotRule& rule, const Vec3& x, const std::vector<NearestPoint>& spots,
-              const Pairs& pairs);
+  // The periodic domain in which a mesh is, and its orientation there.
+  struct Surrounded {
+    const Domain& domain;
+    const Rotation& to_scene;
+  };
+  // Moves the histories of pairs to the pairs that have their spots now. The body is at x in the frame of the
+  // mesh (m).
+  void follow(const SpotRule& rule, const Vec3& x, const std::vector<NearestPoint>& spots, const Pairs& pairs,
+              const Surrounded& by);
   // Then turns tangential springs as the normals of their spots have turned in the frame of the mesh.
   void turn_springs(const Rotation& to_scene, const std::vector<NearestPoint>& spots,
                     const Pairs& pairs) const;
@@ -64,6 +70,8 @@ class MeshSpots {
   std::vector<Surroundings> surroundings_, before_;  // of each body and mesh, in the order of the pairs
   std::size_t next_ = 0, next_before_ = 0;
   SpotFinder finder_;
+  // Moves former spots by whole periods to where the body is, which has been folded since.
+  void bring_former_near(const Vec3& x, const Surrounded& by);
   // The former spot whose history each pair has now, or -1.
   void find_origins(std::size_t pairs, std::size_t now);
   std::vector<double> numbers_;

@@ -23,14 +23,13 @@ void set_lane(double (&columns)[3][most], std::size_t k, const Vec3& v) {
 struct ShapeContacts::Loops {
   // Without structures of several vectors, which GCC would not keep in registers.
   template <class Nearest>
-  static void find(const PlacedSurface& placed, const Nearest& nearest_to, double step, ShapeContacts& c) {
+  static void find(const PlacedSurface& placed, const Nearest& nearest_to, ShapeContacts& c) {
     const PlacedSurface surface = placed;  // no store can change it
     const std::size_t padded = (c.count_ + SCREE_LANES - 1) / SCREE_LANES * SCREE_LANES;
 #pragma GCC ivdep
     for (std::size_t k = 0; k < padded; ++k) {
-      const Vec3 x = lane(c.x_, k), x_middle = x - 0.5 * step * lane(c.body_velocity_, k);
-      const NearestPoint nearest = nearest_to(surface.in_frame(x)),
-                         middle = nearest_to(surface.mid_in_frame(x_middle));
+      const NearestPoint nearest = nearest_to(surface.in_frame(lane(c.x_, k))),
+                         middle = nearest_to(surface.mid_in_frame(lane(c.middle_, k)));
       const Vec3 point = surface.point_in_scene(nearest.point);
       set_lane(c.point_, k, point);
       set_lane(c.normal_, k, surface.to_scene()(nearest.normal));
@@ -41,34 +40,31 @@ struct ShapeContacts::Loops {
     }
   }
 
-  SCREE_EVERY_LEVEL_INLINED static void find_flat(const PlacedSurface& surface, double step,
-                                                  ShapeContacts& c) {
-    shape::with_nearest<2>(surface.surface(), [&](const auto& nearest) { find(surface, nearest, step, c); });
+  SCREE_EVERY_LEVEL_INLINED static void find_flat(const PlacedSurface& surface, ShapeContacts& c) {
+    shape::with_nearest<2>(surface.surface(), [&](const auto& nearest) { find(surface, nearest, c); });
   }
-  SCREE_EVERY_LEVEL_INLINED static void find_solid(const PlacedSurface& surface, double step,
-                                                   ShapeContacts& c) {
-    shape::with_nearest<3>(surface.surface(), [&](const auto& nearest) { find(surface, nearest, step, c); });
+  SCREE_EVERY_LEVEL_INLINED static void find_solid(const PlacedSurface& surface, ShapeContacts& c) {
+    shape::with_nearest<3>(surface.surface(), [&](const auto& nearest) { find(surface, nearest, c); });
   }
 };
 
-void ShapeContacts::add(std::size_t pair, const Vec3& x, const Vec3& mid_velocity, double radius,
-                        const Vec3& beyond) {
+void ShapeContacts::add(std::size_t pair, const Body& body) {
   const std::size_t k = count_++;
   pair_[k] = pair;
-  beyond_[k] = beyond;
-  set_lane(x_, k, x);
-  set_lane(body_velocity_, k, mid_velocity);
-  radius_[k] = radius;
+  beyond_[k] = body.beyond;
+  set_lane(x_, k, body.x);
+  set_lane(middle_, k, body.middle);
+  radius_[k] = body.radius;
 }
 
 // Lanes without a body repeat the first one.
-void ShapeContacts::find(const PlacedSurface& surface, int dimension, double step) {
+void ShapeContacts::find(const PlacedSurface& surface, int dimension) {
   for (std::size_t k = count_; k < most; ++k) {
     set_lane(x_, k, lane(x_, 0));
-    set_lane(body_velocity_, k, lane(body_velocity_, 0));
+    set_lane(middle_, k, lane(middle_, 0));
     radius_[k] = radius_[0];
   }
-  dimension == 2 ? Loops::find_flat(surface, step, *this) : Loops::find_solid(surface, step, *this);
+  dimension == 2 ? Loops::find_flat(surface, *this) : Loops::find_solid(surface, *this);
 }
 
 SurfacePoint ShapeContacts::point(std::size_t k) const {

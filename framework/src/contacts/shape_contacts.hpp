@@ -30,10 +30,15 @@ class ShapeContacts {
   bool full() const { return count_ == most; }
   std::size_t count() const { return count_; }
   void clear() { count_ = 0; }
-  // x, mid_velocity: (m, m/s) of the body, which lies `beyond` x by some periods (m).
-  void add(std::size_t pair, const Vec3& x, const Vec3& mid_velocity, double radius, const Vec3& beyond);
-  // Finds the points that all of them meet. step: (s).
-  void find(const PlacedSurface& surface, int dimension, double step);
+  // A body at the end and in the middle of the step, each in the periodic domain (m). beyond: periods by which
+  // it lies beyond it at the end (m).
+  struct Body {
+    Vec3 x, middle, beyond;
+    double radius;
+  };
+  void add(std::size_t pair, const Body& body);
+  // Finds the points that all of them meet.
+  void find(const PlacedSurface& surface, int dimension);
   std::size_t pair(std::size_t k) const { return pair_[k]; }
   const Vec3& beyond(std::size_t k) const { return beyond_[k]; }
   Vec3 centre(std::size_t k) const { return {{x_[0][k], x_[1][k], x_[2][k]}}; }
@@ -47,7 +52,7 @@ class ShapeContacts {
   std::size_t count_ = 0;
   std::size_t pair_[most];
   Vec3 beyond_[most];
-  alignas(64) Columns x_, body_velocity_, point_, normal_, mid_normal_, velocity_, mid_velocity_;
+  alignas(64) Columns x_, middle_, point_, normal_, mid_normal_, velocity_, mid_velocity_;
   alignas(64) double radius_[most], effective_radius_[most];
 };
 

@@ -82,7 +82,7 @@ void SurfaceContacts::set_path(std::size_t row, const PlacedSurface& surface, in
 void SurfaceContacts::resolve_shape(const PlacedSurface& surface, const Results& to, const Particles& p,
                                     ShapeContacts& bodies) {
   if (bodies.count() == 0) return;
-  bodies.find(surface, p.dimension(), step_);
+  bodies.find(surface, p.dimension());
   for (std::size_t k = 0; k < bodies.count(); ++k) {
     set(to.rows + bodies.pair(k), surface, bodies.point(k), bodies.beyond(k), p);
     if (to.effective_radius) to.effective_radius[bodies.pair(k)] = bodies.effective_radius(k);
@@ -134,7 +134,7 @@ SCREE_EVERY_LEVEL_INLINED void SurfaceContacts::resolve_spots(const PairsOfBody&
     for (std::size_t pair = of.begin; pair < of.end; ++pair) set_away(to.rows + pair, of, x, p);
     return;
   }
-  mesh_spots.follow(rule, here, spots, pairs);
+  mesh_spots.follow(rule, here, spots, pairs, {domain_, of.surface.to_scene()});
   if (of.spring) mesh_spots.turn_springs(of.surface.to_scene(), spots, pairs);
   MeshSpots::keep(spots, pairs);
   for (std::size_t pair = of.begin; pair < of.end; ++pair) {
@@ -172,7 +172,8 @@ void SurfaceContacts::resolve(std::size_t tile, Contacts& contacts, const Partic
       }
       ShapeContacts& bodies = shapes[b - planes_];
       const Vec3 x = vector_of(p.position(), a, p.dimension()), beyond = domain_.beyond(x);
-      bodies.add(q, x - beyond, vector_of(p.mid_velocity(), a, p.dimension()), p.radius()[a], beyond);
+      const Vec3 middle = x - beyond - 0.5 * step_ * vector_of(p.mid_velocity(), a, p.dimension());
+      bodies.add(q, {x - beyond, middle - domain_.beyond(middle), beyond, p.radius()[a]});
       if (bodies.full()) resolve_shape(surface, to, p, bodies);
     }
     for (std::size_t s = 0; s < surfaces_.size(); ++s) resolve_shape(surfaces_[s], to, p, shapes[s]);

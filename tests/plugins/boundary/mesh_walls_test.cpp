@@ -167,6 +167,31 @@ TEST_CASE("springs go on where triangles count each by itself", "[surfaces]") {
         1e-4);  // springs that were lost would miss all of the work of the slope
 }
 
+// The mesh is as long as the period, which a ball passes five times. Places differ by the round-off of the
+// period.
+TEST_CASE("springs on a mesh go on across periodic faces", "[surfaces]") {
+  const std::string law = GENERATE("linear_spring_dashpot", "sphere_path_independent");
+  CAPTURE(law);
+  const auto rolled = [&](const std::function<void(Scene&)>& add_wall) {
+    Scene sc = scene(3, 2e-5, {body(1, 0.01, 0.01, {{0.001, 0.002, 0.00999}}, {{0, 1, 0}}, {{9, 0, 3}})},
+                     frictional, law);
+    add_boundary(sc, "periodic", {{"axes", {1}}, {"lower", {0, -0.05, 0}}, {"upper", {0, 0.05, 0}}});
+    add_wall(sc);
+    add_weight(sc);
+    sc.skin = 0.002;
+    Simulation s(sc);
+    run(s, 30000);
+    CHECK(s.max_overlap_ratio() < 0.01);
+    return motion_of(s);
+  };
+  const Motion plane = rolled([](Scene& sc) {
+    add_boundary(sc, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 0, 1}}});
+  });
+  const Motion mesh =
+      rolled([](Scene& sc) { add_boundary(sc, "mesh", mesh_values(flat_mesh(0.05, 7, 9, 0.2))); });
+  CHECK(difference(mesh, plane) < 1e-10);
+}
+
 // Of a box: in its corners and along its edges a body touches two or three faces, each with its own spring.
 TEST_CASE("a box of triangles is a box of planes", "[surfaces]") {
   const Vec3 half = {{0.05, 0.04, 0.03}};
