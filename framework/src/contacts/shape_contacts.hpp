@@ -30,8 +30,8 @@ class ShapeContacts {
   bool full() const { return count_ == most; }
   std::size_t count() const { return count_; }
   void clear() { count_ = 0; }
-  // A body at the end and in the middle of the step, each in the periodic domain (m). beyond: periods by which
-  // it lies beyond it at the end (m).
+  // A body at the end and in the middle of the step, each in the periodic domain (m). beyond: periods by
+  // which it lies beyond it at the end (m).
   struct Body {
     Vec3 x, middle, beyond;
     double radius;
