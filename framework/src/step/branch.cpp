@@ -1,5 +1,6 @@
 #include "step/branch.hpp"
 
+#include "contacts/kernel/placement.hpp"
 #include "contacts/stored_histories.hpp"
 #include "surfaces/sliding_work.hpp"
 #include "walls/enclosure.hpp"
@@ -124,6 +125,7 @@ void Branch::take_over_all(SimulationParts& parts) {
 
 void Branch::take_over_by_name(Simulation& simulation, SimulationParts& parts) {
   take_over_orientations(parts);
+  if (branching_.histories) take_over_images(parts);
   for (const Wall& wall : walls_) {
     parts.boundaries.take_over(state_, wall.from, wanted_.boundaries[wall.to].name);
     report_.push_back(fmt::format("walls of '{}'", wanted_.boundaries[wall.to].name));
@@ -157,6 +159,19 @@ void Branch::take_over_orientations(SimulationParts& parts) {
     return;
   parts.particles.orientations.transfer(bodies_of(state_), recorded_ids(state_).size());
   report_.emplace_back("orientations");
+}
+
+void Branch::take_over_images(SimulationParts& parts) const {
+  const bool follow = std::any_of(parts.laws.begin(), parts.laws.end(),
+                                  [](const LawInstance& law) { return kernel::reads_paths(law.interface); });
+  const StateTransfer bodies = bodies_of(state_),
+                      walls = StateTransfer::restoring_from(state_).below("walls");
+  if (!follow || !bodies.has("image")) return;
+  const Domain& domain = parts.boundaries.domain();
+  Vec3 lower = {}, upper = {};
+  walls.numbers("domain_lower", "m", lower.component, 3);
+  walls.numbers("domain_upper", "m", upper.component, 3);
+  if (lower == domain.lower && upper == domain.upper) parts.particles.transfer_images(bodies);
 }
 
 std::vector<std::uint32_t> Branch::walls_here(const SimulationParts& parts) const {

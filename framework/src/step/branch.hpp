@@ -43,6 +43,8 @@ class Branch {
   void take_over_all(SimulationParts& parts);
   void take_over_by_name(Simulation& simulation, SimulationParts& parts);
   void take_over_orientations(SimulationParts& parts);
+  // For laws that follow bodies along walls across periodic faces.
+  void take_over_images(SimulationParts& parts) const;
   std::size_t take_over_histories(SimulationParts& parts);  // returns the number of contacts
   // Visits the row of each contact of the state, with its numbers there; returns the contacts without one.
   using VisitRow = std::function<void(PairGroup& group, std::size_t row, std::span<const double> numbers)>;

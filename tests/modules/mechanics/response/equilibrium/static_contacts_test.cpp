@@ -55,7 +55,6 @@ TEST_CASE("an increment changes springs as a step of the kernel does") {
   }
   check_step(moving_heap(3, "sphere_path_independent", springs));
   check_step(moving_beds(3, "sphere_path_independent", springs));
-  check_step(with_motions(periodic_trough(springs, "sphere_path_independent")));
   check_step(moving_heap(2, "disc_corrected",
                          {{"normal_stiffness", {1e4}},
                           {"normal_damping", {0}},
