@@ -64,9 +64,9 @@ inline Scene surface_beds(int dimension, const Values& law, const std::string& p
   return s;
 }
 
-// A body in a trough along y, which leaves the period there when it moves by a hundredth of its radius.
-inline Scene periodic_trough(const Values& law, const std::string& plugin) {
-  const Vec3 centre = {{2.07 * std::cos(0.4), 0.3, 2.07 * std::sin(0.4)}};
+// A body in a trough along y (m), whose period ends at 0.304.
+inline Scene periodic_trough(const Values& law, const std::string& plugin, double y) {
+  const Vec3 centre = {{2.07 * std::cos(0.4), y, 2.07 * std::sin(0.4)}};
   Scene s = scene(3, 1e-3, {body(0, 1, heavy, centre)}, law, plugin);
   add_boundary(s, "periodic", {{"axes", {1}}, {"lower", {0, -5, 0}}, {"upper", {0, 0.304, 0}}});
   add_boundary(s, "cylinder", {{"point", {0, 0, 0}}, {"axis", {0, 1, 0}}, {"radius", {3}}}, "trough");

@@ -55,6 +55,8 @@ TEST_CASE("an increment changes springs as a step of the kernel does") {
   }
   check_step(moving_heap(3, "sphere_path_independent", springs));
   check_step(moving_beds(3, "sphere_path_independent", springs));
+  const double outside = 0.35;  // of the period, into which it is folded
+  check_step(with_motions(periodic_trough(springs, "sphere_path_independent", outside)));
   check_step(moving_heap(2, "disc_corrected",
                          {{"normal_stiffness", {1e4}},
                           {"normal_damping", {0}},
