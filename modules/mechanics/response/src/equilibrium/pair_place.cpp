@@ -31,7 +31,8 @@ PairPlace::PairPlace(const Simulation& simulation, const StaticPair& pair, const
   else if (wall < planes)
     set_at_plane(simulation.planes()[wall]);
   else
-    crossed = -pair.shift, set_at_surface(simulation.surfaces(), wall - planes, simulation.dimension());
+    set_at_surface(simulation.surfaces(), wall - planes, simulation.dimension());
+  if (to_wall()) crossed = -pair.shift;
 }
 
 void PairPlace::set_between() {
