@@ -129,9 +129,6 @@ class Particles {
   // mid-step are kept too.
   void transfer(const class StateTransfer& state, bool mid_step);
 
-  // Of these the net periods crossed alone, if there are periodic axes.
-  void transfer_images(const class StateTransfer& state);
-
   // Where the bodies are in memory; all views and columns are by place.
   const BodyOrder& order() const { return order_; }
   // Moves the bodies in memory: each place takes the body at the place `from[place]`. Only the bodies of
@@ -172,6 +169,7 @@ class Particles {
   }
 
  private:
+  void transfer_images(const class StateTransfer& state);
   // Calls visit(column of one, column of the other, width) for all that is kept per body, but orientations.
   template <class One, class Other, class Visit>
   static void each_column(One& one, Other& other, const Visit& visit);

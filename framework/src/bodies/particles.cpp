@@ -73,12 +73,11 @@ void Particles::transfer(const StateTransfer& state, bool mid_step) {
     state.vectors("torque", "N m", torque(), first_spin, last_spin);
     if (mid_step) state.vectors("mid_spin", "rad/s", mid_spin(), first_spin, last_spin);
   }
-  transfer_images(state);
+  if (!image[0].empty()) transfer_images(state);
   if (orientations) orientations.transfer(state, size());
 }
 
 void Particles::transfer_images(const StateTransfer& state) {
-  if (image[0].empty()) return;
   const auto width = std::size_t(dimension_);
   std::vector<std::int32_t> all(size() * width);
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = image[i % width][i / width];

@@ -42,6 +42,7 @@ class ShapeContacts {
   std::size_t pair(std::size_t k) const { return pair_[k]; }
   const Vec3& beyond(std::size_t k) const { return beyond_[k]; }
   Vec3 centre(std::size_t k) const { return {{x_[0][k], x_[1][k], x_[2][k]}}; }
+  double radius(std::size_t k) const { return radius_[k]; }
   SurfacePoint point(std::size_t k) const;
   double effective_radius(std::size_t k) const { return effective_radius_[k]; }
 

@@ -88,8 +88,9 @@ void SurfaceContacts::resolve_shape(const PlacedSurface& surface, const Results&
     if (to.effective_radius) to.effective_radius[bodies.pair(k)] = bodies.effective_radius(k);
     if (!records_.keep_paths()) continue;
     const Vec3 x = surface.in_frame(bodies.centre(k));
-    set_path(to.rows + bodies.pair(k), surface, p.dimension(), x,
-             nearest_point(surface.surface(), p.dimension(), x));
+    const NearestPoint nearest = nearest_point(surface.surface(), p.dimension(), x);
+    if (nearest.distance < bodies.radius(k))
+      set_path(to.rows + bodies.pair(k), surface, p.dimension(), x, nearest);
   }
   bodies.clear();
 }

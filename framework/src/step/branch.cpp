@@ -166,12 +166,17 @@ void Branch::take_over_images(SimulationParts& parts) const {
                                   [](const LawInstance& law) { return kernel::reads_paths(law.interface); });
   const StateTransfer bodies = bodies_of(state_),
                       walls = StateTransfer::restoring_from(state_).below("walls");
-  if (!follow || !bodies.has("image")) return;
+  if (!follow || !bodies.has("image") || parts.particles.image[0].empty()) return;
   const Domain& domain = parts.boundaries.domain();
   Vec3 lower = {}, upper = {};
   walls.numbers("domain_lower", "m", lower.component, 3);
   walls.numbers("domain_upper", "m", upper.component, 3);
-  if (lower == domain.lower && upper == domain.upper) parts.particles.transfer_images(bodies);
+  if (lower != domain.lower || upper != domain.upper) return;
+  // Bodies of the state come first.
+  const auto width = std::size_t(scene_.dimension);
+  std::vector<std::int32_t> images(recorded_ids(state_).size() * width);
+  bodies.sized_rows("image", "1", images, width);
+  for (std::size_t i = 0; i < images.size(); ++i) parts.particles.image[i % width][i / width] = images[i];
 }
 
 std::vector<std::uint32_t> Branch::walls_here(const SimulationParts& parts) const {

@@ -30,7 +30,9 @@ class SurfaceRecords {
     levers_.resize(4 * rows, 0.0);
     mid_normals_.resize(4 * rows, 0.0);
     if (kept.slips) slips_.assign(rows, 0.0);
-    if (kept.paths) normal_changes_.assign(6 * rows, 0.0), orientations_.assign(4 * rows, 0.0);
+    // A stage may change whether there are any.
+    normal_changes_.assign(kept.paths ? 6 * rows : 0, 0.0);
+    orientations_.assign(kept.paths ? 4 * rows : 0, 0.0);
   }
   std::size_t first_row(std::size_t group) const { return first_row_[group]; }
 
