@@ -172,6 +172,13 @@ struct Box {
     }
   }
 
+  void rest(std::span<const scree::Vec3>, const BoundaryStep& s) const {
+    for (int w = 0; w < walls(); ++w) {
+      s.state[std::size_t(w)] = forces_on(w, s, s.time).press;
+      set(w, s, {});
+    }
+  }
+
  private:
   void declare_motion(scree::Declaration& d) {
     using scree::any_number;

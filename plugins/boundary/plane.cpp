@@ -152,11 +152,16 @@ struct Plane {
                                                  dot(e, s.walls[0].velocity), 0};
     const auto c = motion.finish(begun, forces(s, s.time + s.step), s.time, s.step, s.energy);
     if (mass > 0) set(s, c);
-    for (int k = 0; k < 3; ++k) s.state[std::size_t(load + k)] = s.loads[0].force[k];
+    keep_load(s);
   }
 
   void linear(const scree::BoundaryStep& s, scree::LinearWalls& linear) const {
     linear.walls[0] = motion.linear(vector(direction), motion.prescribed(s.time, 0), forces(s, s.time).press);
+  }
+
+  void rest(std::span<const scree::Vec3>, const scree::BoundaryStep& s) const {
+    set(s, {});
+    keep_load(s);
   }
 
  private:
@@ -186,6 +191,9 @@ struct Plane {
     const double speed = free + motion.prescribed(s.time, 0).speed;
     set(s, {0, speed, speed, free});
     if (motion.seeks_load()) s.state[stiffness] = 0;
+  }
+  static void keep_load(const scree::BoundaryStep& s) {
+    for (int k = 0; k < 3; ++k) s.state[std::size_t(load + k)] = s.loads[0].force[k];
   }
   void set(const scree::BoundaryStep& s, const scree::WallMotion::StepMotion& c) const {
     s.walls[0].mid_velocity = c.mid_speed * vector(direction);

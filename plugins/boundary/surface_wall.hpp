@@ -57,6 +57,9 @@ struct SurfaceWall {
     motion.change(before.motion, s);
   }
   void linear(const scree::BoundaryStep& s, scree::LinearWalls& walls) const { motion.linear(s, walls); }
+  void rest(std::span<const scree::Vec3> displacements, const scree::BoundaryStep& s) const {
+    motion.rest(displacements, s);
+  }
 
  private:
   // Seen along the direction of the motion (m², in 2D m × 1 m); 0 if it is not known.

@@ -152,10 +152,10 @@ TEST_CASE("quasi-static refuses what it cannot follow in one line and writes not
         "scree: scree response is now scree modes, or for quasi-static loads scree quasi-static\n");
   const std::string cylinder =
       biaxial + "\n[[boundary]]\nplugin = \"cylinder\"\npoint = [0, 0]\nradius = 100\n";
-  w.write("scene.toml", cylinder + "force = 0\nmass = 1\ndirection = [1, 0]\n");
-  refused("", "surface cylinder is moved by forces, and quasi-static loads are exerted by planes");
+  w.write("scene.toml", cylinder + "torque = 0\ninertia = 1\n");
+  refused("", "surface cylinder is turned by torques, and quasi-static loads displace walls without turning them");
   w.write("scene.toml", cylinder + "spin = 1\n");
-  refused("", "wall cylinder turns, or is turned by torques");
+  refused("", "wall cylinder turns by a program");
   w.write("scene.toml", biaxial.substr(0, biaxial.find("[[stage]]\nname = \"cycles\"")));
   refused("", "the last stage is followed, and has no duration");
 }

@@ -22,7 +22,8 @@ struct RestingPacking {
   std::span<const Vec3> bodies;                     // (m) centres, without jumps at periodic faces
   std::span<const Vec3> planes;                     // (m) points of the planes
   std::span<const scree_load> loads;                // (N) forces of contacts on the planes
-  std::span<const scree_frame_load> surface_loads;  // of contacts on the surfaces, which stay where they are
+  std::span<const Vec3> surfaces;                   // (m) origins of the frames of the surfaces
+  std::span<const scree_frame_load> surface_loads;  // (N), (N m) of contacts on the surfaces
   const Orientations& orientations;                 // if the simulation carries them
   std::vector<ContactHistory> contacts;             // all that touch, in any order
 };

@@ -126,9 +126,10 @@ class Simulation {
   // How forces move the walls about their present state. Throws Error if a boundary states numbers that are
   // not finite, a negative mass or viscosity, or a direction that is no unit vector.
   WallEquations linear_walls() const;
-  // The same at another time (s) of the present stage, with the walls elsewhere: as many planes as this
-  // simulation has.
-  WallEquations linear_walls(double time, const std::vector<scree_plane>& planes) const;
+  // The same at another time (s) of the present stage, with the walls elsewhere: as many planes and surfaces
+  // as this simulation has.
+  WallEquations linear_walls(double time, const std::vector<scree_plane>& planes,
+                             const std::vector<scree_frame>& frames) const;
   // What the law of a pair of the contact list keeps in a history column; 0 for columns that it does not
   // have.
   double contact_history(std::size_t pair, std::uint32_t column) const;

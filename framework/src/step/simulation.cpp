@@ -230,9 +230,12 @@ const std::string& Simulation::wall_name(std::size_t wall) const {
 }
 const WallSurfaces& Simulation::surfaces() const { return parts_->boundaries.surfaces(); }
 
-WallEquations Simulation::linear_walls() const { return linear_walls(parts_->stepper.time(), planes()); }
-WallEquations Simulation::linear_walls(double time, const std::vector<scree_plane>& planes) const {
-  return parts_->boundaries.linear_walls(time, planes);
+WallEquations Simulation::linear_walls() const {
+  return linear_walls(parts_->stepper.time(), planes(), surfaces().frames);
+}
+WallEquations Simulation::linear_walls(double time, const std::vector<scree_plane>& planes,
+                                       const std::vector<scree_frame>& frames) const {
+  return parts_->boundaries.linear_walls(time, planes, frames);
 }
 
 ContactList Simulation::listed_contacts(bool loaded) const {

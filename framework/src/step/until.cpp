@@ -57,14 +57,14 @@ std::vector<Support> supports_of(const Simulation& simulation) {
   return supports;
 }
 
-// By rolling if a fifth or more is of rotations, by spinning if nine tenths are, of bodies that touch
-// something.
+// By spinning if nine tenths are of rotations; of bodies that touch something by rolling if a fifth or more
+// is.
 enum class Motion { flying, rolling, spinning, sliding };
 
 Motion motion_of(const KineticEnergy& energy, bool touches) {
-  if (!touches) return Motion::flying;
   const double share = energy.rotation / energy.sum();
-  return share > 0.9 ? Motion::spinning : share > 0.2 ? Motion::rolling : Motion::sliding;
+  if (share > 0.9) return Motion::spinning;
+  return !touches ? Motion::flying : share > 0.2 ? Motion::rolling : Motion::sliding;
 }
 
 Movers told(Motion motion) {

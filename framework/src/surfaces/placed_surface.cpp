@@ -4,8 +4,6 @@ namespace scree {
 
 namespace {
 
-Vec3 vector(const double (&v)[3]) { return {{v[0], v[1], v[2]}}; }
-
 // The same on all machines, unlike the library's cosine.
 double cosine_of(double angle) {
   const double half = 1 + half_angle_of({{angle, 0, 0}}).cosine_minus_one;
@@ -23,11 +21,11 @@ PlacedSurface::PlacedSurface(const scree_surface& surface, const TriangleMesh* m
     : surface_(surface),
       mesh_(mesh),
       dimension_(dimension),
-      origin_(vector(frame.position)),
-      velocity_(vector(frame.velocity)),
-      spin_(vector(frame.spin)),
-      mid_velocity_(vector(frame.mid_velocity)),
-      mid_spin_(vector(frame.mid_spin)),
+      origin_(vector_of(frame.position)),
+      velocity_(vector_of(frame.velocity)),
+      spin_(vector_of(frame.spin)),
+      mid_velocity_(vector_of(frame.mid_velocity)),
+      mid_spin_(vector_of(frame.mid_spin)),
       mid_origin_(origin_ - 0.5 * step * mid_velocity_),
       to_scene_{frame.orientation[0], {{frame.orientation[1], frame.orientation[2], frame.orientation[3]}}},
       mid_to_scene_(Rotation::by(-0.5 * step * mid_spin_) * to_scene_),

@@ -259,16 +259,53 @@ Boundaries boundaries_of(const Scene& scene) {
   return Boundaries(scene.boundaries, scene.dimension, bounds_of(scene.bodies, scene.dimension));
 }
 
+namespace {
+
+// Moves a point, and returns by how much.
+Vec3 moved_to(const Vec3& place, double (&point)[3]) {
+  Vec3 moved;
+  for (int k = 0; k < 3; ++k) moved[k] = place[k] - point[k], point[k] = place[k];
+  return moved;
+}
+
+}  // namespace
+
 void Boundaries::come_to_rest(const RestingPacking& packing) {
-  for (std::size_t w = 0; w < planes_.size(); ++w)
-    for (int k = 0; k < 3; ++k) {
-      planes_[w].point[k] = packing.planes[w][k];
-      planes_[w].velocity[k] = planes_[w].mid_velocity[k] = 0;
-    }
-  // At rest extrapolation moves nothing.
-  if (!planes_before_extrapolation_.empty()) planes_before_extrapolation_ = planes_;
   std::copy(packing.loads.begin(), packing.loads.end(), loads_.begin());
   std::copy(packing.surface_loads.begin(), packing.surface_loads.end(), surfaces_.loads.begin());
+  std::vector<Vec3> displacements;  // (m) of all walls
+  for (std::size_t w = 0; w < planes_.size(); ++w) {
+    scree_plane& plane = planes_[w];
+    displacements.push_back(moved_to(packing.planes[w], plane.point));
+    for (int k = 0; k < 3; ++k) plane.velocity[k] = plane.mid_velocity[k] = 0;
+  }
+  for (std::size_t s = 0; s < surfaces_.size(); ++s) {
+    scree_frame& frame = surfaces_.frames[s];
+    displacements.push_back(moved_to(packing.surfaces[s], frame.position));
+    for (int k = 0; k < 3; ++k)
+      frame.velocity[k] = frame.mid_velocity[k] = frame.spin[k] = frame.mid_spin[k] = 0;
+  }
+  for (Member& member : members_)
+    if (member.plugin.interface().rest && !member.still()) come_to_rest(member, packing.time, displacements);
+  // At rest extrapolation moves nothing.
+  if (!planes_before_extrapolation_.empty()) planes_before_extrapolation_ = planes_;
+  if (!frames_before_extrapolation_.empty()) frames_before_extrapolation_ = surfaces_.frames;
+}
+
+void Boundaries::come_to_rest(Member& member, double time, const std::vector<Vec3>& displacements) {
+  const std::size_t planes = member.plugin.instance().plane_count,
+                    surfaces = member.plugin.instance().surface_count;
+  const auto own = std::make_unique<double[][3]>(planes + surfaces);
+  for (std::size_t w = 0; w < planes + surfaces; ++w) {
+    const std::size_t wall =
+        w < planes ? member.first_plane + w : planes_.size() + member.first_surface + (w - planes);
+    std::copy_n(displacements[wall].component, 3, own[w]);
+  }
+  scree_boundary_energy energy = {};
+  const scree_boundary_step step = step_of(member, time, 0, energy);
+  plugin_call(member.plugin_name(), "rest",
+              [&] { member.plugin.interface().rest(member.plugin.storage(), &step, own.get()); });
+  member.energy.kinetic = energy.kinetic;
 }
 
 }  // namespace scree

@@ -75,9 +75,10 @@ class Boundaries {
   // reach: of each surface, how far from the origin of its frame bodies may meet it (m); empty: anywhere.
   double largest_surface_speed(std::span<const double> reach) const;
   double surface_speed(std::size_t surface, std::span<const double> reach) const;
-  // How forces move planes at a time (s), with the planes where they are given. Throws Error as
+  // How forces move walls at a time (s), with the walls where they are given. Throws Error as
   // Simulation::linear_walls does.
-  WallEquations linear_walls(double time, const std::vector<scree_plane>& planes) const;
+  WallEquations linear_walls(double time, const std::vector<scree_plane>& planes,
+                             const std::vector<scree_frame>& frames) const;
   void add_to_hash(class StateHash& hash) const;
   // The walls that a state has of boundary `boundary`, and the number of all its planes and surfaces.
   struct StoredWalls {
@@ -91,7 +92,7 @@ class Boundaries {
   void take_over(const State& state, std::size_t from, const std::string& name);
   std::size_t first_plane(std::size_t boundary) const { return members_[boundary].first_plane; }
   std::size_t first_surface(std::size_t boundary) const { return members_[boundary].first_surface; }
-  // Moves the planes, at rest and with the forces of contacts on them; surfaces stay where they are.
+  // Moves the walls, at rest and with the forces of contacts on them.
   void come_to_rest(const RestingPacking& packing);
   // Begins the balance and the programs anew, at t = 0.
   void begin_anew();
@@ -120,11 +121,12 @@ class Boundaries {
   // Masses and absences of walls, which change with the parameters.
   void show_walls();
   void start(Member& member);
+  void come_to_rest(Member& member, double time, const std::vector<Vec3>& displacements);
   void check_walls_against_domain() const;
   void linearise(const Member& member, double time, const std::vector<scree_plane>& at,
-                 WallEquations& equations) const;
+                 const std::vector<scree_frame>& frames, WallEquations& equations) const;
   void state_equations(const Member& member, double time, const std::vector<scree_plane>& at,
-                       const scree_linear_walls& walls) const;
+                       const std::vector<scree_frame>& frames, const scree_linear_walls& walls) const;
   scree_boundary_step step_of(Member& member, double time, double step, scree_boundary_energy& energy);
   // With these planes and numbers of state, of the boundary or copies of them.
   scree_boundary_step step_of(const Member& member, std::span<scree_plane> planes, std::span<double> state,

@@ -68,11 +68,28 @@ std::string problem_of(const scree_plane& plane) {
   return std::abs(length - 1) > 1e-9 ? fmt::format("normal has length {:g}", length) : "";
 }
 
+namespace {
+
+std::string problem_of_turn(const scree_linear_wall& wall) {
+  const double length = std::hypot(wall.axis[0], wall.axis[1], wall.axis[2]);
+  if (!(std::abs(length - 1) < 1e-9)) return fmt::format("an axis of length {:g}", length);
+  for (const double x : wall.centre)
+    if (!std::isfinite(x)) return fmt::format("a centre at {:g} m", x);
+  if (!(wall.inertia >= 0 && std::isfinite(wall.inertia)))
+    return fmt::format("an inertia of {:g} kg m^2", wall.inertia);
+  if (!(wall.spin_viscosity >= 0 && std::isfinite(wall.spin_viscosity)))
+    return fmt::format("a spin viscosity of {:g} N m s", wall.spin_viscosity);
+  return "";
+}
+
+}  // namespace
+
 std::string problem_of(const scree_linear_wall& wall, std::span<const double> stiffness) {
   const double length = std::hypot(wall.direction[0], wall.direction[1], wall.direction[2]);
   if (!(std::abs(length - 1) < 1e-9)) return fmt::format("a direction of length {:g}", length);
   if (!std::isfinite(wall.speed)) return fmt::format("a speed of {:g} m/s", wall.speed);
   if (wall.free > SCREE_NO_EQUATION) return fmt::format("the unknown freedom {}", wall.free);
+  if (const std::string problem = wall.turns ? problem_of_turn(wall) : ""; !problem.empty()) return problem;
   if (wall.free != SCREE_FREE) return "";
   if (!std::isfinite(wall.pressing_force))
     return fmt::format("a pressing force of {:g} N", wall.pressing_force);

@@ -10,7 +10,8 @@
 
 namespace scree {
 
-WallEquations Boundaries::linear_walls(double time, const std::vector<scree_plane>& planes) const {
+WallEquations Boundaries::linear_walls(double time, const std::vector<scree_plane>& planes,
+                                       const std::vector<scree_frame>& frames) const {
   WallEquations equations;
   for (const scree_plane& plane : planes) {
     scree_linear_wall prescribed = {};
@@ -25,12 +26,12 @@ WallEquations Boundaries::linear_walls(double time, const std::vector<scree_plan
   }
   equations.stiffness.assign(equations.walls.size() * equations.walls.size(), 0.0);
   for (const Member& member : members_)
-    if (member.plugin.interface().linear) linearise(member, time, planes, equations);
+    if (member.plugin.interface().linear) linearise(member, time, planes, frames, equations);
   return equations;
 }
 
 void Boundaries::linearise(const Member& member, double time, const std::vector<scree_plane>& at,
-                           WallEquations& equations) const {
+                           const std::vector<scree_frame>& frames, WallEquations& equations) const {
   // Numbers of its walls among all.
   std::vector<std::size_t> number;
   for (std::size_t w = 0; w < member.plugin.instance().plane_count; ++w)
@@ -41,13 +42,17 @@ void Boundaries::linearise(const Member& member, double time, const std::vector<
   std::vector<scree_linear_wall> walls;
   for (const std::size_t w : number) walls.push_back(equations.walls[w]);
   std::vector<double> stiffness(count * count, 0.0);
-  state_equations(member, time, at,
+  state_equations(member, time, at, frames,
                   {sizeof(scree_linear_walls), std::uint32_t(count), walls.data(), stiffness.data()});
   for (std::size_t w = 0; w < count; ++w) {
     const std::span<const double> row(stiffness.data() + w * count, count);
     if (const std::string problem = problem_of(walls[w], row); !problem.empty())
       throw Error(fmt::format("boundary plug-in {}, wall {}: its linear equation has {}; correct the plug-in",
                               member.plugin_name(), wall_name(number[w]), problem));
+    if (walls[w].turns && number[w] < at.size())
+      throw Error(
+          fmt::format("boundary plug-in {}, wall {}: its linear equation turns a plane; correct the plug-in",
+                      member.plugin_name(), wall_name(number[w])));
     equations.walls[number[w]] = walls[w];
     if (walls[w].free != SCREE_FREE) continue;
     for (std::size_t other = 0; other < count; ++other)
@@ -57,10 +62,11 @@ void Boundaries::linearise(const Member& member, double time, const std::vector<
 
 // The plug-in gets copies of planes, frames and state, into which it may write.
 void Boundaries::state_equations(const Member& member, double time, const std::vector<scree_plane>& at,
+                                 const std::vector<scree_frame>& frames_at,
                                  const scree_linear_walls& walls) const {
   const auto own = at.begin() + std::ptrdiff_t(member.first_plane);
   std::vector<scree_plane> planes(own, own + std::ptrdiff_t(member.plugin.instance().plane_count));
-  const auto frame = surfaces_.frames.begin() + std::ptrdiff_t(member.first_surface);
+  const auto frame = frames_at.begin() + std::ptrdiff_t(member.first_surface);
   std::vector<scree_frame> frames(frame, frame + std::ptrdiff_t(member.plugin.instance().surface_count));
   std::vector<double> state = member.state;
   scree_boundary_energy energy = {};

@@ -17,7 +17,7 @@ struct Present {
   RestingPacking packing;
 
   explicit Present(const Simulation& s)
-      : packing{s.time(), {}, {}, s.loads(), {}, s.particles().orientations, {}} {
+      : packing{s.time(), {}, {}, s.loads(), {}, {}, s.particles().orientations, {}} {
     const Particles& p = s.particles();
     for (std::size_t i = 0; i < p.size(); ++i) {
       bodies.push_back(p.body(i).position);

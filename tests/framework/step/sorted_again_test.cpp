@@ -194,7 +194,7 @@ TEST_CASE("bodies that have been sorted again come to rest where they are", "[or
   for (const scree_plane& plane : moving.planes())
     planes.push_back({{plane.point[0], plane.point[1], plane.point[2]}});
   const State rest = moving.state_at_rest(
-      {moving.time(), places, planes, moving.loads(), {}, moving.particles().orientations, {}});
+      {moving.time(), places, planes, moving.loads(), {}, {}, moving.particles().orientations, {}});
   const Simulation resting(scene, rest);
   CHECK(rest.has(order_in_memory));
   CHECK(resting.energy().kinetic_translation == 0);

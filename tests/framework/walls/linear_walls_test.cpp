@@ -59,7 +59,8 @@ TEST_CASE(
   CHECK(equations.walls[0].pressing_force == Approx(5.002));
   CHECK(equations.walls[0].speed == 6);
   CHECK(equations.stiffness_of(0, 0) == 4);
-  CHECK(s.linear_walls(s.time() + 0.5, s.planes()).walls[0].pressing_force == Approx(5.502));
+  CHECK(s.linear_walls(s.time() + 0.5, s.planes(), s.surfaces().frames).walls[0].pressing_force ==
+        Approx(5.502));
   // What the plug-in wrote into walls and state went into copies.
   CHECK(s.state_hash() == Simulation(s.scene(), before).state_hash());
 }

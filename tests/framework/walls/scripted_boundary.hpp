@@ -94,10 +94,15 @@ struct Scripted {
 template <class Author>
 const scree_plugin& scripted() {
   using namespace scree::detail;
-  static const scree_boundary interface = {sizeof(scree_boundary),       sizeof(Author),
-                                           &configure_boundary<Author>,  &start_boundary<Author>,
-                                           &begin_boundary_step<Author>, &finish_boundary_step<Author>,
-                                           change_of<Author>(),          linear_of<Author>()};
+  static const scree_boundary interface = {sizeof(scree_boundary),
+                                           sizeof(Author),
+                                           &configure_boundary<Author>,
+                                           &start_boundary<Author>,
+                                           &begin_boundary_step<Author>,
+                                           &finish_boundary_step<Author>,
+                                           change_of<Author>(),
+                                           linear_of<Author>(),
+                                           rest_of<Author>()};
   return *manifest_of<Author>(SCREE_BOUNDARY, interface);
 }
 

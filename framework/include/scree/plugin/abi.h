@@ -25,7 +25,7 @@
 extern "C" {
 #endif
 
-#define SCREE_ABI_VERSION 16u
+#define SCREE_ABI_VERSION 17u
 #define SCREE_QUERY_SYMBOL "scree_plugin_query"
 
 typedef enum scree_kind {

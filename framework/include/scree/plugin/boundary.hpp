@@ -27,6 +27,9 @@
 //   void linear(const scree::BoundaryStep&, scree::LinearWalls&) const;
 //                                                         optional: how forces move the walls, for a linear
 //                                                         response; without it they are prescribed
+//   void rest(std::span<const scree::Vec3> displacements, const scree::BoundaryStep&) const;
+//                                                         optional: state where the host has displaced the
+//                                                         walls (m) and brought them to rest
 //
 // A boundary without walls needs only `describe`. When each is called: scree/plugin/abi/boundary.h.
 // The motion of one wall, prescribed or under stress: scree/plugin/wall_motion.hpp. Of surfaces:
@@ -150,6 +153,11 @@ struct LinearWall {
   double viscosity = 0;       // γ (kg/s)
   double pressing_force = 0;  // (N) at the time of the step
   double speed = 0;           // d' (m/s) at that time; of a wall that is not free x'
+  std::uint32_t turns = 0;    // nonzero: torques turn it, I φ" + γ' φ' = T; only surfaces
+  Vec3 axis = {};             // unit, of the turn
+  Vec3 centre = {};           // (m) a point of the axis
+  double inertia = 0;         // I (kg m²), may be 0
+  double spin_viscosity = 0;  // γ' (N m s)
 };
 
 // Of the planes of a boundary, then of its surfaces; at first they are prescribed, and numbers are 0.
@@ -179,8 +187,6 @@ template <class To, class From>
 std::span<To> span_of(From* from, std::size_t count) {
   return {same_bytes<To>(from, count), count};
 }
-
-inline Vec3 vector_of(const double (&v)[3]) { return {{v[0], v[1], v[2]}}; }
 
 inline BoundaryStep step_of(const scree_boundary_step& s) {
   return {int(s.dimension),
@@ -270,6 +276,20 @@ constexpr auto linear_of() {
     return nullptr;
 }
 template <class Author>
+void rest_boundary(const void* storage, const scree_boundary_step* step, const double (*displacements)[3]) {
+  const std::size_t walls = step->plane_count + step->surface_count;
+  static_cast<const Author*>(storage)->rest(span_of<const Vec3>(displacements, walls), step_of(*step));
+}
+template <class Author>
+constexpr auto rest_of() {
+  if constexpr (requires(const Author& author, const BoundaryStep& s) {
+                  author.rest(std::span<const Vec3>(), s);
+                })
+    return &rest_boundary<Author>;
+  else
+    return nullptr;
+}
+template <class Author>
 constexpr auto change_of() {
   if constexpr (requires(const Author& author, const BoundaryStep& s) { author.change(author, 0.0, s); })
     return &change_boundary<Author>;
@@ -284,17 +304,17 @@ inline BoundaryScene BoundaryStep::scene() const {
   return {detail::span_of<const Wall>(s.planes, s.plane_count),
           detail::span_of<const WallLoad>(s.loads, s.plane_count),
           {s.plane_names, s.plane_count},
-          detail::vector_of(s.lower),
-          detail::vector_of(s.upper),
+          vector_of(s.lower),
+          vector_of(s.upper),
           {s.periodic[0] != 0, s.periodic[1] != 0, s.periodic[2] != 0},
-          detail::vector_of(s.domain_lower),
-          detail::vector_of(s.domain_upper)};
+          vector_of(s.domain_lower),
+          vector_of(s.domain_upper)};
 }
 
 inline WallLoad BoundaryStep::load_after(std::size_t wall, const Vec3& displacement) const {
   scree_load load;
   displaced_loads->load(displaced_loads->host, std::uint32_t(wall), displacement.component, &load);
-  return {detail::vector_of(load.force)};
+  return {vector_of(load.force)};
 }
 
 }  // namespace scree
@@ -307,5 +327,6 @@ inline WallLoad BoundaryStep::load_after(std::size_t wall, const Vec3& displacem
                                                  &scree::detail::begin_boundary_step<Author>,  \
                                                  &scree::detail::finish_boundary_step<Author>, \
                                                  scree::detail::change_of<Author>(),           \
-                                                 scree::detail::linear_of<Author>()};          \
+                                                 scree::detail::linear_of<Author>(),           \
+                                                 scree::detail::rest_of<Author>()};            \
   SCREE_EXPORT_PLUGIN((scree::manifest_of<Author>(SCREE_BOUNDARY, scree_interface)))

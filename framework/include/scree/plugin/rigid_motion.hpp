@@ -33,6 +33,7 @@ namespace scree {
 //   in begin_step   motion.begin(s);
 //   in finish_step  motion.finish(s);
 //   in linear       motion.linear(s, walls);
+//   in rest         motion.rest(displacements, s);
 class RigidMotion {
  public:
   void declare(Declaration& d) {
@@ -144,16 +145,25 @@ class RigidMotion {
     turn_.finish(turn, at.torque, s.time, s.step, s.energy);
     keep(s, along, turn);
   }
-  // One equation for each surface: there is none if it turns, or if forces move several together.
+  // One equation for each surface: there is none if it turns as prescribed, or if forces move several together.
   void linear(const BoundaryStep& s, LinearWalls& all) const {
-    const WallMotion::Prescribed turn = turn_.motion.prescribed(s.time, 0);
-    const bool turns = turn_.is_pressed() || turn.speed != 0,
-               together = along_.is_pressed() && s.frames.size() > 1;
+    const bool together = (along_.is_pressed() || turn_.is_pressed()) && s.frames.size() > 1,
+               turning = turn_.motion.prescribed(s.time, 0).speed != 0;
     for (LinearWall& wall : all.walls.subspan(s.walls.size())) {
       wall = along_.motion.linear(vector_of(direction_), along_.motion.prescribed(s.time, 0),
                                   along_.pressing_force(s.time));
-      if (turns || together) wall.free = SCREE_NO_EQUATION;
+      if (turning || together) wall.free = SCREE_NO_EQUATION;
+      if (!turn_.is_pressed()) continue;
+      wall.turns = 1;
+      wall.axis = vector_of(about_), wall.centre = centre(s);
+      wall.inertia = turn_.inertia, wall.spin_viscosity = turn_.motion.viscosity;
     }
+  }
+  // All surfaces are displaced alike.
+  void rest(std::span<const Vec3> displacements, const BoundaryStep& s) const {
+    const Vec3& moved = displacements.back();
+    for (int k = 0; k < 3; ++k) s.state[std::size_t(k)] += moved[k];
+    keep(s, {}, {});
   }
 
  private:

@@ -79,6 +79,8 @@ inline Vec<3, T> cross(const Vec<3, T>& a, const Vec<3, T>& b) {
            fused(a[0], b[1], -(a[1] * b[0]))}};
 }
 
+inline Vec3 vector_of(const double (&v)[3]) { return {{v[0], v[1], v[2]}}; }
+
 // In 2D a spin is its z component: s × a and a × b.
 template <class T>
 constexpr Vec<2, T> cross(const Vec<1, T>& s, const Vec<2, T>& a) {

@@ -38,7 +38,8 @@ Energies energies_of(const Eigen::VectorXd& q, const response::LinearSystem& sys
       e.rotation += part, e.of_body[i] += part;
     }
   }
-  for (std::size_t w = 0; w < freedom.walls(); ++w) e.walls += energy(freedom.wall(w));
+  for (std::size_t w = 0; w < freedom.walls(); ++w)
+    e.walls += energy(freedom.wall(w)) + energy(freedom.turn(w));
   return e;
 }
 

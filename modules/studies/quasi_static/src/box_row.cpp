@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -16,7 +17,8 @@ constexpr const char* names[] = {"x", "y", "z"};
 
 }  // namespace
 
-BoxRow::BoxRow(const std::vector<double>& at_start) : dimension_(int(at_start.size())) {
+BoxRow::BoxRow(const std::vector<double>& at_start, SurfaceColumns surfaces)
+    : dimension_(int(at_start.size())), surfaces_(std::move(surfaces)) {
   for (int k = 0; k < dimension_; ++k)
     if (at_start[std::size_t(k)] > 0) axes_.push_back({k, at_start[std::size_t(k)]});
 }
@@ -40,6 +42,7 @@ std::string BoxRow::head() const {
     for (const Axis& a : axes_)
       cells.push_back(fmt::format("stress_{}{} [Pa]", names[a.axis], names[a.axis]));
   for (const Axis& a : axes_) cells.push_back(fmt::format("strain_{}{}", names[a.axis], names[a.axis]));
+  for (std::string& name : surfaces_.names()) cells.push_back(std::move(name));
   cells.insert(cells.end(), {"contacts", "sliding", "dynamic"});
   return files::csv_line(cells);
 }
@@ -50,6 +53,7 @@ std::string BoxRow::line(const Sample& sample) const {
   if (int(axes_.size()) == dimension_)
     for (const Axis& a : axes_) cells.push_back(files::csv_number(stress(sample, a.axis)));
   for (const Axis& a : axes_) cells.push_back(files::csv_number(strain(sample, a)));
+  for (const double number : surfaces_.numbers(sample)) cells.push_back(files::csv_number(number));
   cells.push_back(fmt::format("{}", sample.contacts));
   cells.push_back(fmt::format("{}", sample.sliding));
   cells.push_back(sample.dynamic ? "1" : "0");
@@ -67,9 +71,13 @@ double BoxRow::stress(const Sample& sample, int axis) const {
   return pressing_force(sample.planes, sample.loads.data(), axis, sample.absent.data()) / area;
 }
 
-double BoxRow::deviatoric_strain(const Sample& sample) const {
-  if (axes_.size() < 2 || axes_[0].axis != 0 || axes_[1].axis != 1)
-    return std::numeric_limits<double>::quiet_NaN();
+bool BoxRow::has_deviatoric_strain() const {
+  return axes_.size() >= 2 && axes_[0].axis == 0 && axes_[1].axis == 1;
+}
+
+double BoxRow::charted(const Sample& sample) const {
+  if (charts_surface()) return surfaces_.numbers(sample)[0];
+  if (!has_deviatoric_strain()) return std::numeric_limits<double>::quiet_NaN();
   return strain(sample, axes_[0]) - strain(sample, axes_[1]);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "loaded_packing.hpp"
+#include "surface_columns.hpp"
 
 #include <string>
 #include <vector>
@@ -10,19 +11,21 @@
 namespace scree::quasi_static {
 
 // Columns of a series, with units: as of the probe `box`, along the axes that have walls at both ends, then
-// contacts, sliding, dynamic.
+// surfaces that forces move, contacts, sliding, dynamic.
 class BoxRow {
  public:
   // at_start: as lengths().
-  explicit BoxRow(const std::vector<double>& at_start);
+  explicit BoxRow(const std::vector<double>& at_start, SurfaceColumns surfaces = {});
 
   std::string head() const;  // line of a CSV file
   std::string line(const Sample& sample) const;
   // Along an axis (m), and 0 if it has no walls.
   static double length(const Sample& sample, int axis);
   static std::vector<double> lengths(int dimension, const Sample& sample);
-  // L_y/L_y0 − L_x/L_x0, or NaN without these walls.
-  double deviatoric_strain(const Sample& sample) const;
+  // What a chart shows: L_y/L_y0 − L_x/L_x0; without these walls the displacement (m) of the first surface that
+  // forces move; NaN without such a surface.
+  double charted(const Sample& sample) const;
+  bool charts_surface() const { return !has_deviatoric_strain() && !surfaces_.empty(); }
 
  private:
   struct Axis {
@@ -31,9 +34,11 @@ class BoxRow {
   };
   double strain(const Sample& sample, const Axis& along) const;
   double stress(const Sample& sample, int axis) const;
+  bool has_deviatoric_strain() const;
 
   int dimension_;
   std::vector<Axis> axes_;
+  SurfaceColumns surfaces_;
 };
 
 }  // namespace scree::quasi_static

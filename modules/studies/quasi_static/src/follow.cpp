@@ -40,10 +40,13 @@ void LoadStudy::prepare() {
   run_stages_before(*simulation);
   session_.restart_watch();
   measure_stage(*simulation);
+  surfaces_ = SurfaceColumns(*simulation);
   begin_packing(std::move(simulation));
   if (!session_.proceeds()) throw session_.stopped_before("the load was followed");
-  lengths_at_start_ = BoxRow::lengths(plan_.scene.dimension, packing_.sample(load_.start));
-  box_.emplace(lengths_at_start_);
+  const Sample start = packing_.sample(load_.start);
+  lengths_at_start_ = BoxRow::lengths(plan_.scene.dimension, start);
+  surfaces_.begin(start);
+  box_.emplace(lengths_at_start_, surfaces_);
 }
 
 void LoadStudy::run_stages_before(Simulation& simulation) const {
@@ -102,7 +105,7 @@ bool LoadStudy::work() {
     state_file::write_state(session_.directory().add("final_state.h5"), packing_.state());
   end_load();
   try {
-    draw_chart(load_, times_, strains_, session_.directory());
+    draw_chart(chart(), session_.directory());
   } catch (const std::exception& error) {
     session_.warn(fmt::format("the chart was not drawn: {}", error.what()));
   }
@@ -114,7 +117,7 @@ void LoadStudy::add(const Sample& sample) {
   series_->add(box_->line(sample));
   series_->flush();
   times_.push_back(load_.reached = sample.time);
-  strains_.push_back(box_->deviatoric_strain(sample));
+  charted_.push_back(box_->charted(sample));
 }
 
 void LoadStudy::end_load() {

@@ -36,38 +36,38 @@ Json record_of(const FollowedLoad& load) {
 namespace {
 
 // The part of a load between two times (s), over the time since `zero`.
-charts::ChartSeries part_of(const std::vector<double>& times, const std::vector<double>& strains, double from,
+charts::ChartSeries part_of(const std::vector<double>& times, const std::vector<double>& values, double from,
                             double to, double zero) {
   charts::ChartSeries curve;
   for (std::size_t k = 0; k < times.size(); ++k)
-    if (times[k] >= from && times[k] <= to) curve.x.push_back(times[k] - zero), curve.y.push_back(strains[k]);
+    if (times[k] >= from && times[k] <= to) curve.x.push_back(times[k] - zero), curve.y.push_back(values[k]);
   return curve;
 }
 
 }  // namespace
 
-void draw_chart(const FollowedLoad& load, const std::vector<double>& times,
-                const std::vector<double>& strains, const run::RunDirectory& directory) {
-  const bool drawn = strains.size() > 1 &&
-                     std::all_of(strains.begin(), strains.end(), [](double s) { return std::isfinite(s); });
+void draw_chart(const ChartedLoad& charted, const run::RunDirectory& directory) {
+  const auto& [load, times, values, of_surface] = charted;
+  const bool drawn = values.size() > 1 &&
+                     std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
   if (!drawn) return;
   charts::ChartSpec chart;
   chart.title = load.title + ", quasi-static";
-  chart.y_label = "strain L_y/L_y0 - L_x/L_x0";
+  chart.y_label = of_surface ? "displacement of the first surface (m)" : "strain L_y/L_y0 - L_x/L_x0";
   const double end = times.back(), slack = 1e-9 * load.period;
   if (load.period > 0 && end - load.start >= most_whole_cycles * load.period) {
     const double cycles = std::floor((end - load.start) / load.period + 1e-9);
     chart.x_label = "time in the cycle (s)";
     for (const double cycle : {1.0, cycles}) {
       const double from = load.start + (cycle - 1) * load.period;
-      chart.series.push_back(part_of(times, strains, from - slack, from + load.period + slack, from));
+      chart.series.push_back(part_of(times, values, from - slack, from + load.period + slack, from));
       chart.series.back().name = fmt::format("cycle {:g}", cycle);
     }
   } else {
     chart.x_label = "time (s)";
-    chart.series.push_back(part_of(times, strains, load.start, end, 0));
+    chart.series.push_back(part_of(times, values, load.start, end, 0));
   }
-  charts::draw_chart(chart, directory.add("charts/strain.png"));
+  charts::draw_chart(chart, directory.add(of_surface ? "charts/displacement.png" : "charts/strain.png"));
 }
 
 std::string text_report(const FollowedLoad& c) {

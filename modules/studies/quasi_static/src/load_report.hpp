@@ -12,8 +12,13 @@ namespace scree::quasi_static {
 // The entries of quasi_static.json between its status and its warnings.
 nlohmann::ordered_json record_of(const FollowedLoad& load);
 
-// With pictures: deviatoric strain over time.
-void draw_chart(const FollowedLoad& load, const std::vector<double>& times,
-                const std::vector<double>& strains, const run::RunDirectory& directory);
+// What a chart of a load shows: the deviatoric strain, or the displacement (m) of a surface.
+struct ChartedLoad {
+  const FollowedLoad& load;
+  const std::vector<double>&times, &values;
+  bool of_surface;
+};
+// With pictures: over time.
+void draw_chart(const ChartedLoad& charted, const run::RunDirectory& directory);
 
 }  // namespace scree::quasi_static

@@ -43,7 +43,7 @@ class LoadStudy : public run::Study {
   void reopen() override { series_->cut(); }
 
   void end_failed() override { end_load(); }
-  void save_failed() override { draw_chart(load_, times_, strains_, session_.directory()); }
+  void save_failed() override { draw_chart(chart(), session_.directory()); }
 
   void transfer(const StateTransfer& state) override;
 
@@ -92,6 +92,7 @@ class LoadStudy : public run::Study {
     });
   }
 
+  ChartedLoad chart() const { return {load_, times_, charted_, box_ && box_->charts_surface()}; }
   void end_load();
   void add(const Sample& sample);
 
@@ -102,10 +103,11 @@ class LoadStudy : public run::Study {
   LoadedPacking packing_;
   std::size_t intervals_in_part_ = 1, interval_ = 0;  // interval_: those that are done
   std::vector<double> lengths_at_start_;              // (m) of the box, for box_
+  SurfaceColumns surfaces_;                           // that forces move
   std::optional<BoxRow> box_;
   std::optional<run::LineFile> series_;
-  std::uint64_t series_bytes_ = 0;  // up to the state that is kept
-  std::vector<double> times_, strains_;
+  std::uint64_t series_bytes_ = 0;       // up to the state that is kept
+  std::vector<double> times_, charted_;  // see BoxRow::charted()
 };
 
 }  // namespace scree::quasi_static

@@ -8,6 +8,7 @@
 
 #include <scree/energy.hpp>
 #include <scree/stage.hpp>
+#include <scree/wall_surfaces.hpp>
 
 namespace scree::quasi_static {
 
@@ -23,6 +24,8 @@ Sample sample_of(const QuasiStatic& balance, double time) {
   return {.time = time,
           .planes = balance.planes(),
           .loads = balance.loads(),
+          .frames = balance.frames(),
+          .surface_loads = balance.surface_loads(),
           .absent = balance.absent_walls(),
           .contacts = balance.touching(),
           .sliding = balance.sliding()};
@@ -33,6 +36,8 @@ Sample sample_of(const Simulation& moving, double time) {
   return {.time = time,
           .planes = moving.planes(),
           .loads = moving.loads(),
+          .frames = moving.surfaces().frames,
+          .surface_loads = moving.surfaces().loads,
           .absent = moving.absent_walls(),
           .contacts = sliding.size(),
           .sliding = std::size_t(std::count(sliding.begin(), sliding.end(), 1)),
@@ -127,6 +132,8 @@ void LoadedPacking::end_search() {
 Sample LoadedPacking::sample(double time) const {
   return moves_ ? sample_of(*simulation_, time) : sample_of(*balance_, time);
 }
+
+std::size_t LoadedPacking::surfaces() const { return simulation_->surfaces().size(); }
 
 State LoadedPacking::state() const { return moves_ ? simulation_->state() : balance_->state(); }
 

@@ -17,6 +17,8 @@ struct Sample {
   double time = 0;  // (s)
   std::vector<scree_plane> planes;
   std::vector<scree_load> loads;
+  std::vector<scree_frame> frames;
+  std::vector<scree_frame_load> surface_loads;
   std::vector<std::uint8_t> absent;  // of each wall, whether it is not there
   std::size_t contacts = 0, sliding = 0;
   bool dynamic = false;  // reached by dynamics
@@ -41,6 +43,7 @@ class LoadedPacking {
   std::optional<Sample> advance(double time);
   Sample sample(double time) const;
   bool moves() const { return moves_; }
+  std::size_t surfaces() const;
   State state() const;
   // Begins the search for equilibrium anew, from positions and springs alone, so that a load that goes on
   // from `keep(state)` has the same bits.

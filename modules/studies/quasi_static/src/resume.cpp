@@ -49,8 +49,9 @@ void LoadStudy::transfer(const StateTransfer& state) {
   transfer_hand_overs(state.below("hand_overs"), load_.hand_overs);
   state.rows("lengths_at_start", "m", lengths_at_start_);
   state.rows("times", "s", times_);
-  strains_.resize(times_.size());
-  state.sized_rows("strains", "1", strains_, 1, stored::any);  // NaN: the box is not known along x and y
+  charted_.resize(times_.size());
+  state.sized_rows("charted", "1", charted_, 1, stored::any);  // NaN: there is nothing to show
+  surfaces_.transfer(state.below("surfaces"));
   if (bool moves = packing_.moves(); moves && !state.restoring()) state.value("moves", "1", moves);
 }
 
@@ -72,8 +73,9 @@ void LoadStudy::restore(const State& state) {
   const StateTransfer from = StateTransfer::restoring_from(state).below(run::quasi_static_results.group);
   session_.transfer(from);
   check_restored(from);
-  box_.emplace(lengths_at_start_);
+  box_.emplace(lengths_at_start_, surfaces_);
   packing_.begin(state, from.has("moves"));
+  surfaces_.check_restored(from.below("surfaces"), packing_.surfaces());
   series_.emplace(session_.directory().path() / series_file, series_bytes_);
 }
 

@@ -15,8 +15,6 @@ namespace scree::spectrum {
 
 namespace {
 
-Vec3 vector(const double (&v)[3]) { return {{v[0], v[1], v[2]}}; }
-
 Parameters with_wave(const Scene& scene, const SpectrumPlan& plan, const Wave& wave) {
   Parameters parameters = std::find_if(scene.boundaries.begin(), scene.boundaries.end(), [&](const auto& b) {
                             return b.name == plan.boundary;
@@ -46,17 +44,30 @@ namespace {
 // (m) Points of the planes, then origins of the frames of surfaces.
 std::vector<Vec3> places_of_walls(const Simulation& simulation) {
   std::vector<Vec3> all;
-  for (const scree_plane& plane : simulation.planes()) all.push_back(vector(plane.point));
-  for (const scree_frame& frame : simulation.surfaces().frames) all.push_back(vector(frame.position));
+  for (const scree_plane& plane : simulation.planes()) all.push_back(vector_of(plane.point));
+  for (const scree_frame& frame : simulation.surfaces().frames) all.push_back(vector_of(frame.position));
   return all;
+}
+
+bool any_turns(const Simulation& simulation) {
+  const std::vector<scree_frame>& frames = simulation.surfaces().frames;
+  return std::any_of(frames.begin(), frames.end(), [](const scree_frame& frame) {
+    return dot(vector_of(frame.spin), vector_of(frame.spin)) > 0;
+  });
 }
 
 // Velocity of each wall (m/s) at the start of a drive of this speed (m/s).
 std::vector<Vec3> velocities(Simulation& copy, const SpectrumPlan& plan, double speed) {
+  const bool turned = any_turns(copy);
   start_wave(copy, plan, {Program::ramp, 0, speed, 1});
+  if (!turned && any_turns(copy))
+    throw Error(fmt::format(
+        "{}: '{}' of '{}' turns a wall, and spectra are driven by walls that are displaced; drive a displacement, "
+        "a velocity or a superposed motion",
+        plan.drive_place, plan.key, plan.boundary));
   std::vector<Vec3> all;
-  for (const scree_plane& plane : copy.planes()) all.push_back(vector(plane.velocity));
-  for (const scree_frame& frame : copy.surfaces().frames) all.push_back(vector(frame.velocity));
+  for (const scree_plane& plane : copy.planes()) all.push_back(vector_of(plane.velocity));
+  for (const scree_frame& frame : copy.surfaces().frames) all.push_back(vector_of(frame.velocity));
   return all;
 }
 

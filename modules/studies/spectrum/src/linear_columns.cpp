@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <scree/error.hpp>
+#include <scree/plugin/rotation.hpp>
 #include <scree/wall_surfaces.hpp>
 
 namespace scree::spectrum {
@@ -18,6 +19,15 @@ using Complex = std::complex<double>;
 // Largest displacement of a difference over the smallest radius: far above round-off of positions, far below
 // the sizes of contacts.
 constexpr double largest_share = 1e-3;
+
+// Distance (m) from a point to the farthest surface of a body.
+double farthest_body(const Simulation& simulation, const Vec3& point) {
+  const Particles& p = simulation.particles();
+  double farthest = 0;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    farthest = std::max(farthest, norm(p.body(i).position - point) + p.radius()[i]);
+  return farthest;
+}
 
 // All columns of one probe.
 std::vector<ObservedColumn> all_of(const scenario::Plan& plan, std::size_t probe) {
@@ -57,6 +67,7 @@ const scree_view& DisplacedView::displaced(const response::HarmonicResponse& mot
   const response::HarmonicRates rates(time_step_, 2 * std::numbers::pi * motion.frequency_hz);
   displace_bodies(motion, turn, rates.central);
   displace_walls(motion, turn, rates);
+  turn_walls(motion, turn, rates);
   return view_;
 }
 
@@ -96,6 +107,30 @@ void DisplacedView::displace_walls(const response::HarmonicResponse& motion, Com
   view_.frames = frames_.data();
 }
 
+void DisplacedView::turn_walls(const response::HarmonicResponse& motion, Complex turn,
+                               const response::HarmonicRates& rates) {
+  for (std::size_t s = 0; s < frames_.size(); ++s) {
+    const std::size_t w = planes_.size() + s;
+    const Eigen::Index number = freedom_.turn(w);
+    if (number == response::DegreesOfFreedom::none) continue;
+    const Complex angle = turn * motion.amplitude[number];
+    const double spin = (rates.central * angle).real();
+    const Vec3 axis = vector_of(equations_.walls[w].axis);
+    const Vec3 along = cross(axis, vector_of(frames_[s].position) - vector_of(equations_.walls[w].centre));
+    const Rotation before = {
+        frames_[s].orientation[0],
+        {{frames_[s].orientation[1], frames_[s].orientation[2], frames_[s].orientation[3]}}};
+    const Rotation after = Rotation::by(angle.real() * axis) * before;
+    frames_[s].orientation[0] = after.real;
+    for (int k = 0; k < 3; ++k) {
+      frames_[s].orientation[k + 1] = after.axis[k];
+      frames_[s].position[k] += angle.real() * along[k];
+      frames_[s].velocity[k] += spin * along[k];
+      frames_[s].spin[k] += spin * axis[k];
+    }
+  }
+}
+
 LinearColumns::LinearColumns(const scenario::Plan& plan, std::vector<ObservedColumn> observed,
                              const Simulation& simulation, const std::vector<Vec3>& walls,
                              const response::DegreesOfFreedom& freedom, double time_step)
@@ -109,6 +144,10 @@ LinearColumns::LinearColumns(const scenario::Plan& plan, std::vector<ObservedCol
     for (int k = 0; k < freedom.spins(); ++k)
       if (const Eigen::Index r = freedom.rotation(i, k); r != response::DegreesOfFreedom::none)
         radius_[r] = simulation.particles().radius()[i];
+  const WallEquations equations = simulation.linear_walls();
+  for (std::size_t w = 0; w < freedom.walls(); ++w)
+    if (freedom.turn(w) != response::DegreesOfFreedom::none)
+      radius_[freedom.turn(w)] = farthest_body(simulation, vector_of(equations.walls[w].centre));
 }
 
 std::pair<std::vector<Complex>, std::vector<double>> LinearColumns::along(

@@ -38,6 +38,9 @@ class DisplacedView {
   void displace_bodies(const response::HarmonicResponse& motion, Complex turn, Complex to_velocity);
   void displace_walls(const response::HarmonicResponse& motion, Complex turn,
                       const response::HarmonicRates& rates);
+  // After displace_walls().
+  void turn_walls(const response::HarmonicResponse& motion, Complex turn,
+                  const response::HarmonicRates& rates);
 
   const Simulation& simulation_;
   const std::vector<Vec3>& walls_;
@@ -70,8 +73,9 @@ class LinearColumns {
   Observer observer_;
   DisplacedView view_;
   std::vector<double> rest_;
-  double smallest_ = 0;     // (m) radius
-  Eigen::VectorXd radius_;  // (m) of the bodies whose rotations are degrees of freedom, and 1 elsewhere
+  double smallest_ = 0;  // (m) radius
+  // (m) by which angles that are degrees of freedom move surfaces; 1 elsewhere
+  Eigen::VectorXd radius_;
 };
 
 // Whether the columns of a probe, by its number, may follow from positions and velocities of bodies and walls

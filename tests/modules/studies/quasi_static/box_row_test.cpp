@@ -42,12 +42,12 @@ TEST_CASE("a row has lengths, stresses and strains of a box") {
   // Stresses: the mean force on both walls over the length of the wall (of a disc 1 m thick). Strains:
   // shorter by a fifth.
   CHECK(row.line(box()) == "1.5,2,4,2.5,2,0.19999999999999996,0.19999999999999996,7,2,0\n");
-  CHECK(row.deviatoric_strain(box()) == 0);
+  CHECK(row.charted(box()) == 0);
   Sample moving = box();
   moving.planes[3] = wall(1, -1, 4.5);
   moving.dynamic = true;
   // L_y/L_y0 − L_x/L_x0
-  CHECK(row.deviatoric_strain(moving) == Approx(0.9 - 0.8));
+  CHECK(row.charted(moving) == Approx(0.9 - 0.8));
   CHECK(row.line(moving).ends_with(",1\n"));
 }
 
@@ -58,7 +58,7 @@ TEST_CASE("along an axis with one wall or none a row has no columns, and without
   const BoxRow row({2.5, 0});
   CHECK(row.head() == "time [s],length_x [m],strain_xx,contacts,sliding,dynamic\n");
   CHECK(row.line(sample) == "1.5,2,0.19999999999999996,7,2,0\n");
-  CHECK(std::isnan(row.deviatoric_strain(sample)));
+  CHECK(std::isnan(row.charted(sample)));
 }
 
 TEST_CASE("a wall that is absent bears nothing, and another behind it is the end of the box") {

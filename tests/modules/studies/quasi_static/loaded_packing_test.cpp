@@ -7,6 +7,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <scree/wall_surfaces.hpp>
+
 // Packings in balance with their load, checked by the kernel, which shares no code with the search for
 // balance but the contact laws.
 
@@ -20,6 +22,8 @@ using quasi_static::Sample;
 double largest_load(const Simulation& s) {
   double largest = 0;
   for (const scree_load& load : s.loads())
+    for (const double f : load.force) largest = std::max(largest, std::abs(f));
+  for (const scree_frame_load& load : s.surfaces().loads)
     for (const double f : load.force) largest = std::max(largest, std::abs(f));
   return largest;
 }
@@ -42,12 +46,15 @@ double unbalanced(const Simulation& s) {
 // Largest difference between the force of the contacts on a wall that loads move and its load where it is
 // (N).
 double unbalanced_walls(const Simulation& s, const Sample& sample) {
-  const WallEquations equations = s.linear_walls(sample.time, sample.planes);
+  const WallEquations equations = s.linear_walls(sample.time, sample.planes, sample.frames);
   double largest = 0;
   for (std::size_t w = 0; w < equations.walls.size(); ++w) {
     const scree_linear_wall& wall = equations.walls[w];
     double force = wall.pressing_force;
-    for (int k = 0; k < 3; ++k) force += wall.direction[k] * sample.loads[w].force[k];
+    const bool plane = w < sample.planes.size();
+    const double* const load =
+        plane ? sample.loads[w].force : sample.surface_loads[w - sample.planes.size()].force;
+    for (int k = 0; k < 3; ++k) force += wall.direction[k] * load[k];
     if (wall.free) largest = std::max(largest, std::abs(force));
   }
   return largest;
@@ -118,6 +125,33 @@ TEST_CASE("a packing that follows a load is at rest for the kernel: spheres") {
         text.substr(0, contact) + "[[contact]]\nname = \"grains\"\n" + law + "\n" + text.substr(boundary);
     quasi_static::FollowedLoad load;
     balanced(Prepared(plan_of(with_law, small)), 1, {0, 0.25, 0.5}, load);
+  }
+}
+
+// Beads in a cylinder, under a disc that a force presses.
+TEST_CASE("a packing that follows a load is at rest for the kernel: spheres in a cylinder under a lid") {
+  const std::string text =
+      "[scene]\nseed = 2\n[time]\nstep = 2e-5\nstep_guard = false\n"
+      "[[particles]]\nname = \"beads\"\nmaterial = \"glass\"\n"
+      "random = { solid_fraction = 0.25 }\nradius = { distribution = \"uniform\", minimum = 2.3e-3, maximum = 2.7e-3 }\n"
+      "region = { kind = \"cylinder\", centre = [0, 0, 0.018], radius = 9.5e-3, length = 0.034 }\n"
+      "[[material]]\nname = \"glass\"\ndensity = 2500\n"
+      "[[boundary]]\nplugin = \"cylinder\"\nname = \"mantle\"\npoint = [0, 0, 0]\naxis = [0, 0, 1]\nradius = 1e-2\n"
+      "[[boundary]]\nplugin = \"disc\"\nname = \"floor\"\npoint = [0, 0, 0]\nnormal = [0, 0, 1]\nradius = 1e-2\n"
+      "[[boundary]]\nplugin = \"disc\"\nname = \"lid\"\npoint = [0, 0, 0.037]\nnormal = [0, 0, -1]\nradius = 1e-2\n"
+      "force = 0.5\nmass = 0.05\nviscosity = 2\n"
+      "[[body_force]]\nplugin = \"background_damping\"\ntranslational = 0.02\nrotational = 0.02\n"
+      "[[stage]]\nname = \"press\"\nuntil = { kinetic_over_elastic = 1e-14, at_least = 0.1, at_most = 5 }\n"
+      "[[stage]]\nname = \"load\"\nduration = 1\nset.lid.force = { from = 0.5, to = 0.7, duration = 1 }\n";
+  for (const std::string law : {"linear_spring_dashpot", "sphere_path_independent"}) {
+    INFO(law);
+    const std::string contact = "[[contact]]\nname = \"beads\"\nplugin = \"" + law +
+                                "\"\nnormal_stiffness = 1e4\nrestitution = 0.3\n"
+                                "tangential_stiffness = 5e3\nstatic_friction = 0.3\n";
+    quasi_static::FollowedLoad load;
+    const auto samples = balanced(Prepared(plan_of(text + contact)), 1, {0, 0.5, 1}, load);
+    CHECK(samples[2].frames[2].position[2] < samples[0].frames[2].position[2]);
+    CHECK(samples[2].surface_loads[2].force[2] == Approx(0.7));
   }
 }
 

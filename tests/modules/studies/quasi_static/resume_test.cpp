@@ -37,7 +37,7 @@ TEST_CASE("a state of a quasi-static load that does not fit is refused, and noth
     return line;
   };
   for (const std::string path :
-       {"quasi_static/strains", "quasi_static/warnings", "walls/planes/point", "start/position"})
+       {"quasi_static/charted", "quasi_static/warnings", "walls/planes/point", "start/position"})
     CHECK_THAT(refused([&] { remove_array(file, path); }),
                Catch::StartsWith(file.string() + ": the state has no '" + path + "'; "));
   CHECK(refused([&] {
@@ -46,7 +46,7 @@ TEST_CASE("a state of a quasi-static load that does not fit is refused, and noth
             array.shape = {array.size()};
           });
         }).find("hand_overs/to") != std::string::npos);
-  CHECK(refused([&] { change_state(file, "quasi_static/strains", shorten); }).find("instead of") !=
+  CHECK(refused([&] { change_state(file, "quasi_static/charted", shorten); }).find("instead of") !=
         std::string::npos);
   CHECK(refused([&] {
           change_number(file, "quasi_static/intervals_between_states", 0, std::uint64_t(0));

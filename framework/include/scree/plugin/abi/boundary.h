@@ -99,14 +99,16 @@ typedef struct scree_boundary_instance {
 enum scree_wall_freedom {
   SCREE_PRESCRIBED = 0, /* forces do not move the wall, and only the direction of its equation counts */
   SCREE_FREE = 1,       /* forces move it along the direction */
-  SCREE_NO_EQUATION = 2 /* it turns, or is moved in a way that the equation below does not have */
+  SCREE_NO_EQUATION = 2 /* it moves in a way that the equations below do not have */
 };
 
 /* Equation of small motions of a plane or a surface about its present state, along one direction:
  *   m s" + γ s' + Σ_c k_c x_c = F,  x = s + d
  * x: displacement, d: its superposed part, F: change of the force of the contacts along the direction, and k_c
  * the negative derivative of the pressing force with the displacement of wall c along the direction of that
- * wall. */
+ * wall. A surface may also turn about an axis through a centre that moves with it:
+ *   I φ" + γ' φ' = T
+ * T: change of the torque of the contacts about the axis. */
 typedef struct scree_linear_wall {
   uint32_t free;         /* scree_wall_freedom */
   double direction[3];   /* unit */
@@ -114,6 +116,11 @@ typedef struct scree_linear_wall {
   double viscosity;      /* (kg/s) γ >= 0 */
   double pressing_force; /* (N) in the direction, at the time of the step */
   double speed;          /* (m/s) d' at that time; for a wall that is not free, its own speed */
+  uint32_t turns;        /* nonzero: torques turn it; only surfaces */
+  double axis[3];        /* unit, of the turn */
+  double centre[3];      /* (m) a point of the axis */
+  double inertia;        /* (kg m²) I >= 0 */
+  double spin_viscosity; /* (N m s) γ' >= 0 */
 } scree_linear_wall;
 
 /* Output of `linear`; before the call planes are prescribed along their normals, surfaces along the axis z of
@@ -153,6 +160,10 @@ typedef struct scree_boundary {
    * copies of planes, frames and state; its energy is ignored. Without this function all planes are prescribed,
    * and surfaces too unless forces move them. */
   void (*linear)(const void* storage, const scree_boundary_step* step, const scree_linear_walls* walls);
+  /* (optional) The host has displaced the walls and brought them to rest, with the loads there: the state
+   * follows. displacements: (m) of plane_count planes, then of surface_count surfaces, which have not turned.
+   * Sets the kinetic energy. Without this function the state stays as it was. */
+  void (*rest)(const void* storage, const scree_boundary_step* step, const double (*displacements)[3]);
 } scree_boundary;
 
 #ifdef __cplusplus

@@ -2,6 +2,7 @@
 #include "assembly/contact_terms.hpp"
 #include "assembly/entries.hpp"
 #include "assembly/group_terms.hpp"
+#include "assembly/turn_terms.hpp"
 
 #include <algorithm>
 
@@ -56,27 +57,30 @@ std::vector<bool> held_bodies(const std::vector<ContactTerms>& contacts, const P
 WallEquations equations_of_walls(const Simulation& simulation, const AssemblyOptions& options) {
   WallEquations equations = simulation.linear_walls();
   if (options.hold_walls)
-    for (scree_linear_wall& wall : equations.walls) wall.free = SCREE_PRESCRIBED;
+    for (scree_linear_wall& wall : equations.walls) wall.free = SCREE_PRESCRIBED, wall.turns = 0;
   check_equations(simulation, equations);
   return equations;
 }
 
 // Held bodies move unless they are fixed, and rotate if a contact between held bodies can turn them; walls
-// move if a held body touches them.
+// move and turn if a held body touches them.
 DegreesOfFreedom number_motions(const std::vector<ContactTerms>& contacts, const std::vector<bool>& held,
                                 const Particles& p, const WallEquations& equations, int spins) {
   std::vector<bool> translates = held;
   for (std::size_t i = 0; i < held.size(); ++i) translates[i] = held[i] && !p.is_fixed(i);
-  std::vector<bool> rotates(held.size(), false), moved(equations.walls.size(), false);
+  std::vector<bool> rotates(held.size(), false), moved(equations.walls.size(), false), turned = moved;
   for (const ContactTerms& c : contacts) {
     if (!counts(c, held)) continue;
     const std::size_t wall = c.b - held.size();
-    if (c.b >= held.size()) moved[wall] = equations.walls[wall].free == SCREE_FREE;
+    if (c.b >= held.size()) {
+      moved[wall] = equations.walls[wall].free == SCREE_FREE;
+      turned[wall] = equations.walls[wall].turns;
+    }
     if (!c.tangential) continue;
     rotates[c.a] = true;
     if (c.b < held.size()) rotates[c.b] = true;
   }
-  return DegreesOfFreedom(p.dimension(), spins, translates, rotates, moved, held_components(p));
+  return DegreesOfFreedom(p.dimension(), spins, translates, rotates, moved, held_components(p), turned);
 }
 
 Eigen::VectorXd masses(const DegreesOfFreedom& freedom, const Particles& p, const WallEquations& equations) {
@@ -87,8 +91,10 @@ Eigen::VectorXd masses(const DegreesOfFreedom& freedom, const Particles& p, cons
     if (const auto [first, count] = freedom.rotations(i); count > 0)
       mass.segment(first, count).setConstant(p.inertia[i]);
   }
-  for (std::size_t w = 0; w < freedom.walls(); ++w)
+  for (std::size_t w = 0; w < freedom.walls(); ++w) {
     if (freedom.wall(w) != DegreesOfFreedom::none) mass[freedom.wall(w)] = equations.walls[w].mass;
+    if (freedom.turn(w) != DegreesOfFreedom::none) mass[freedom.turn(w)] = equations.walls[w].inertia;
+  }
   return mass;
 }
 
@@ -101,8 +107,11 @@ void check_integrated_spins(const std::vector<ContactTerms>& contacts) {
 
 Eigen::VectorXd viscosities(const DegreesOfFreedom& freedom, const WallEquations& equations) {
   Eigen::VectorXd viscosity = Eigen::VectorXd::Zero(freedom.size());
-  for (std::size_t w = 0; w < freedom.walls(); ++w)
-    if (freedom.wall(w) != DegreesOfFreedom::none) viscosity[freedom.wall(w)] = equations.walls[w].viscosity;
+  for (std::size_t w = 0; w < freedom.walls(); ++w) {
+    const scree_linear_wall& wall = equations.walls[w];
+    if (freedom.wall(w) != DegreesOfFreedom::none) viscosity[freedom.wall(w)] = wall.viscosity;
+    if (freedom.turn(w) != DegreesOfFreedom::none) viscosity[freedom.turn(w)] = wall.spin_viscosity;
+  }
   return viscosity;
 }
 
@@ -110,12 +119,25 @@ Eigen::VectorXd viscosities(const DegreesOfFreedom& freedom, const WallEquations
 void add_walls(const WallEquations& equations, const DegreesOfFreedom& freedom, Entries& stiffness,
                Entries& damping, Entries& mass) {
   for (std::size_t w = 0; w < freedom.walls(); ++w) {
+    if (freedom.turn(w) != DegreesOfFreedom::none) damping.add_own_turn(w, equations.walls[w].spin_viscosity);
     if (freedom.wall(w) == DegreesOfFreedom::none) continue;
     for (std::size_t other = 0; other < freedom.walls(); ++other)
       stiffness.add_along(w, other, equations.stiffness_of(w, other));
     damping.add_inertial(w, equations.walls[w].viscosity);
     mass.add_inertial(w, equations.walls[w].mass);
   }
+}
+
+// Adds what the turns of walls add to a contact.
+void add_turn(const ContactTerms& contact, const WallEquations& equations, const DegreesOfFreedom& freedom,
+              Entries& stiffness, Entries& damping) {
+  const std::size_t wall = contact.b - freedom.bodies();
+  if (contact.b < freedom.bodies() || freedom.turn(wall) == DegreesOfFreedom::none) return;
+  TurnedContact turned = turned_contact(contact, equations.walls[wall], freedom.dimension(), freedom.spins());
+  const int own = freedom.dimension() + freedom.spins();
+  stiffness.add_turn(contact.a, wall, turn_terms(contact.stiffness.topLeftCorner(own, own), turned));
+  turned.force.setZero(), turned.torque.setZero();
+  damping.add_turn(contact.a, wall, turn_terms(contact.damping.topLeftCorner(own, own), turned));
 }
 
 }  // namespace
@@ -148,6 +170,7 @@ LinearSystem assemble(const Simulation& simulation, const AssemblyOptions& optio
     one_way_contacts += contact.one_way;
     stiffness.add({contact.a, contact.b}, contact.stiffness);
     damping.add({contact.a, contact.b}, contact.damping);
+    add_turn(contact, equations, freedom, stiffness, damping);
   }
   const std::vector<BodyForceTerms> forces = linearise_body_forces(simulation, spins);
   for (std::uint32_t i = 0; i < forces.size(); ++i) {

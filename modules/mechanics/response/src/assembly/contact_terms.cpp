@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <scree/contact_columns.hpp>
@@ -54,8 +55,8 @@ void check_equations(const Simulation& simulation, const WallEquations& equation
   for (std::size_t w = 0; w < equations.walls.size(); ++w)
     if (equations.walls[w].free == SCREE_NO_EQUATION)
       throw Error(fmt::format(
-          "wall {} turns, or is turned by torques, and here walls move along one direction at most; give it "
-          "spin_control = \"fixed\", or measure with a pulse or a sweep",
+          "wall {} turns by a program, or with others, which has no linear equation; give it spin_control = \"fixed\" or "
+          "\"torque\", or measure with a pulse or a sweep",
           simulation.wall_name(w)));
 }
 
@@ -108,12 +109,12 @@ class LawContacts {
     const std::vector<double> turning = jacobian_of_integrated_spins(columns, variations, jacobian);
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       const std::size_t c = contacts_[i];
-      const Vec3 force = at_rest.output_vector(SCREE_FORCE, i);
-      const Eigen::Vector3d f(force[0], force[1], simulation_.dimension() == 2 ? 0 : force[2]);
       const ContactGeometry contact = geometry(c);
+      const auto [f, torque] = loads(at_rest, i, contact);
       terms.push_back(
           {list_.a[c], list_.b[c], c, law_.instance().tangential != 0 || law_.instance().writes_couple != 0,
-           bool(list_.sliding[c]), one_way[i], false, f, contact.normal_change,
+           bool(list_.sliding[c]), one_way[i], false, reads_orientations(), place_of(list_.a[c]),
+           contact.normal, f, torque, contact.normal_change,
            contact.of_bodies(contact.displacements(jacobian_, jacobian.data(), i), f),
            contact.of_bodies(contact.velocities(jacobian_, jacobian.data(), i), Eigen::Vector3d::Zero())});
       if (turning.empty()) continue;
@@ -130,6 +131,21 @@ class LawContacts {
   }
 
  private:
+  struct Loads {
+    Eigen::Vector3d force, torque;
+  };
+  // On a body.
+  Loads loads(const ContactColumns& columns, std::size_t i, const ContactGeometry& contact) const {
+    const bool flat = simulation_.dimension() == 2;
+    const Vec3 force = columns.output_vector(SCREE_FORCE, i);
+    const Eigen::Vector3d f(force[0], force[1], flat ? 0 : force[2]);
+    Eigen::Vector3d couple = Eigen::Vector3d::Zero();
+    if (law_.instance().writes_couple) {
+      const Vec3 c = columns.output_vector(SCREE_COUPLE, i);
+      couple = flat ? Eigen::Vector3d(0, 0, c[0]) : Eigen::Vector3d(c[0], c[1], c[2]);
+    }
+    return {f, couple - contact.arm_a * contact.normal.cross(f)};
+  }
   // The contacts, moved until each is on the branch that is asked for.
   ContactColumns at_side_of_limit(const ContactColumns& columns, const ContactColumns& at_rest) const {
     const bool slides = at_limit_ == AtLimit::slide;
@@ -267,6 +283,11 @@ class LawContacts {
     for (int k = 0; k < p.dimension(); ++k)
       body.from_origin[k] = inside[k] - simulation_.surfaces().frames[surface].position[k];
     return body;
+  }
+  // Inside the periodic domain.
+  Eigen::Vector3d place_of(std::uint32_t body) const {
+    const Vec3 x = position_of(body), inside = x - simulation_.domain().beyond(x);
+    return Eigen::Vector3d(inside.component);
   }
   Vec3 position_of(std::uint32_t body) const {
     Vec3 x = {};

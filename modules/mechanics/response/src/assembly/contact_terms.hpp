@@ -24,7 +24,9 @@ struct ContactTerms {
   bool sliding;                   // in the last step
   bool one_way;                   // the stiffness differs in loading and unloading; `stiffness` is the mean
   bool integrates_spin;           // the law moves its spring by spin × step
-  Eigen::Vector3d force;          // on a (N), with both at rest
+  bool springs_twist;             // springs turn about the normal with both ends, since the law follows these
+  Eigen::Vector3d place, normal;  // (m) of a, and unit
+  Eigen::Vector3d force, torque;  // on a (N), (N m), with both at rest
   Eigen::Matrix3d normal_change;  // (1/m) derivative of the normal by u_a − u_b
   Block stiffness, damping;
 };

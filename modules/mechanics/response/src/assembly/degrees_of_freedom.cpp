@@ -6,12 +6,13 @@ namespace scree::response {
 
 DegreesOfFreedom::DegreesOfFreedom(int dimension, int spins, const std::vector<bool>& translates,
                                    const std::vector<bool>& rotates, const std::vector<bool>& free_walls,
-                                   std::vector<freedom::Mask> held)
+                                   std::vector<freedom::Mask> held, const std::vector<bool>& turning_walls)
     : dimension_(dimension),
       spins_(spins),
       translation_(translates.size(), none),
       rotation_(translates.size(), none),
       wall_(free_walls.size(), none),
+      turn_(free_walls.size(), none),
       held_(std::move(held)) {
   for (std::size_t i = 0; i < translates.size(); ++i) {
     if (!translates[i]) continue;
@@ -27,6 +28,8 @@ DegreesOfFreedom::DegreesOfFreedom(int dimension, int spins, const std::vector<b
   }
   for (std::size_t w = 0; w < free_walls.size(); ++w)
     if (free_walls[w]) wall_[w] = size_++;
+  for (std::size_t w = 0; w < turning_walls.size(); ++w)
+    if (turning_walls[w]) turn_[w] = size_++;
 }
 
 }  // namespace scree::response

@@ -19,6 +19,25 @@ void Entries::add(const std::vector<std::uint32_t>& ends, const Block& block) {
   }
 }
 
+void Entries::add_turn(std::uint32_t body, std::size_t wall, const TurnTerms& terms) {
+  const Eigen::Index turn = freedom_.turn(wall);
+  for (Eigen::Index k = 0; k < terms.by_turn.size(); ++k) {
+    const Share own = share(body, int(k));
+    if (own.weight == 0) continue;
+    motions_.emplace_back(own.number, turn, terms.by_turn[k]);
+    motions_.emplace_back(turn, own.number, terms.of_torque[k]);
+  }
+  for (int k = 0; k < freedom_.dimension(); ++k) {
+    const Share along = share(std::uint32_t(freedom_.bodies() + wall), k);
+    if (along.weight != 0) {
+      motions_.emplace_back(along.number, turn, -along.weight * terms.by_turn[k]);
+      motions_.emplace_back(turn, along.number, -along.weight * terms.of_torque[k]);
+    }
+    add_to_wall(turn, wall, k, -terms.of_torque[k]);
+  }
+  add_own_turn(wall, terms.own);
+}
+
 Entries::Share Entries::share(std::uint32_t end, int k) const {
   const bool translation = k < freedom_.dimension();
   if (end >= freedom_.bodies()) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "assembly/contact_terms.hpp"
+#include "assembly/turn_terms.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -22,6 +23,12 @@ class Entries {
 
   // Adds the block of the bodies `ends`; numbers from freedom.bodies() on are walls.
   void add(const std::vector<std::uint32_t>& ends, const Block& block);
+  // Adds what a contact of a body adds by the turn of a wall that is numbered in q.
+  void add_turn(std::uint32_t body, std::size_t wall, const TurnTerms& terms);
+  // Adds the torque on a wall per angle of its own.
+  void add_own_turn(std::size_t wall, double value) {
+    motions_.emplace_back(freedom_.turn(wall), freedom_.turn(wall), value);
+  }
   // Adds the force on wall w along its direction per displacement of wall `moved` along the direction of
   // `moved`.
   void add_along(std::size_t w, std::size_t moved, double value);

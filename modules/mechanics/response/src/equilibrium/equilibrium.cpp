@@ -131,7 +131,8 @@ Equilibrium::Vector Equilibrium::evaluate(Search& search) {
   const StaticMotion motion(balance.motion, freedom_, walls_at_start_);
   balance.at = search.from;
   balance.at.move(motion);
-  search.walls = simulation_.linear_walls(search.time, balance.at.planes(simulation_));
+  search.walls =
+      simulation_.linear_walls(search.time, balance.at.planes(simulation_), balance.at.frames(simulation_));
   balance.loads.force.assign(at_start_.size(), Vec3{});
   balance.loads.torque.assign(at_start_.size(), Vec3{});
   contacts_.evaluate(balance.at, motion, balance.loads);

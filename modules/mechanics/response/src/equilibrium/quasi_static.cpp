@@ -29,18 +29,19 @@ namespace {
 
 void check_surfaces(const Simulation& simulation, const WallEquations& equations) {
   exact_surfaces(simulation);
-  for (std::size_t w = simulation.planes().size(); w < equations.walls.size(); ++w)
-    if (equations.walls[w].free == SCREE_FREE)
+  for (std::size_t w = 0; w < equations.walls.size(); ++w)
+    if (equations.walls[w].turns)
       throw Error(fmt::format(
-          "surface {} is moved by forces, and quasi-static loads are exerted by planes; press with a plane, and set "
-          "its control to \"fixed\"",
+          "surface {} is turned by torques, and quasi-static loads displace walls without turning them; give it "
+          "spin_control = \"fixed\"",
           simulation.wall_name(w)));
 }
 
 }  // namespace
 
 std::vector<double> loads_of_walls(const Simulation& simulation, double time) {
-  const WallEquations equations = simulation.linear_walls(time, simulation.planes());
+  const WallEquations equations =
+      simulation.linear_walls(time, simulation.planes(), simulation.surfaces().frames);
   check_equations(simulation, equations);
   check_surfaces(simulation, equations);
   std::vector<double> loads;
@@ -113,11 +114,13 @@ class QuasiStatic::Packing {
                                       .bodies = places.first(bodies()),
                                       .planes = places.subspan(bodies(), simulation_.planes().size()),
                                       .loads = on_walls,
+                                      .surfaces = places.subspan(bodies() + simulation_.planes().size()),
                                       .surface_loads = surface_loads(),
                                       .orientations = configuration_.orientations,
                                       .contacts = equilibrium_.contacts().touching()});
   }
   std::vector<scree_plane> planes() const { return configuration_.planes(simulation_); }
+  std::vector<scree_frame> frames() const { return configuration_.frames(simulation_); }
   const std::vector<std::uint8_t>& absent_walls() const { return simulation_.absent_walls(); }
   std::vector<scree_load> wall_loads() const {
     std::vector<scree_load> all;
@@ -222,6 +225,8 @@ std::size_t QuasiStatic::touching() const {
 std::size_t QuasiStatic::sliding() const { return packing_->count(PairStatus::slides); }
 std::vector<scree_plane> QuasiStatic::planes() const { return packing_->planes(); }
 std::vector<scree_load> QuasiStatic::loads() const { return packing_->wall_loads(); }
+std::vector<scree_frame> QuasiStatic::frames() const { return packing_->frames(); }
+std::vector<scree_frame_load> QuasiStatic::surface_loads() const { return packing_->surface_loads(); }
 const std::vector<std::uint8_t>& QuasiStatic::absent_walls() const { return packing_->absent_walls(); }
 State QuasiStatic::state() const { return packing_->state(); }
 

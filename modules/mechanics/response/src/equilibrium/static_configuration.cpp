@@ -1,5 +1,7 @@
 #include "equilibrium/static_configuration.hpp"
 
+#include <algorithm>
+
 #include <scree/wall_surfaces.hpp>
 
 namespace scree::response {
@@ -48,6 +50,18 @@ std::vector<scree_plane> StaticConfiguration::planes(const Simulation& simulatio
       all[w].point[k] = position[bodies + w][k];
       all[w].velocity[k] = all[w].mid_velocity[k] = 0;
     }
+  return all;
+}
+
+std::vector<scree_frame> StaticConfiguration::frames(const Simulation& simulation) const {
+  std::vector<scree_frame> all = simulation.surfaces().frames;
+  const std::size_t first = simulation.particles().size() + simulation.planes().size();
+  for (std::size_t s = 0; s < all.size(); ++s) {
+    scree_frame& frame = all[s];
+    std::copy_n(position[first + s].component, 3, frame.position);
+    for (int k = 0; k < 3; ++k)
+      frame.velocity[k] = frame.mid_velocity[k] = frame.spin[k] = frame.mid_spin[k] = 0;
+  }
   return all;
 }
 

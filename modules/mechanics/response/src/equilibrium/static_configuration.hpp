@@ -25,6 +25,8 @@ struct StaticConfiguration {
   explicit StaticConfiguration(const Simulation& simulation);
   // The simulation's planes moved to this configuration, with zero velocity.
   std::vector<scree_plane> planes(const Simulation& simulation) const;
+  // The same of its surfaces.
+  std::vector<scree_frame> frames(const Simulation& simulation) const;
   void move(const StaticMotion& motion);
 };
 

@@ -23,20 +23,11 @@ Vector3d normal_of(const StaticPacking& packing, const ContactTerms& c) {
   return Vector3d(packing.list().normal.data() + 3 * c.contact);
 }
 
-// Change of the normal.
-Vector3d turn_of(const StaticPacking& packing, const PackingMotion& motion, const ContactTerms& c,
-                 int dimension) {
-  Vector3d apart = Vector3d::Zero();
-  for (int k = 0; k < dimension; ++k)
-    apart[k] = packing.component(motion, c.a, k) - packing.component(motion, c.b, k);
-  return c.normal_change * apart;
-}
-
 // Derivatives of n·f and of the tangential force by the load; both n and f change.
 LoadedContact loaded(const StaticPacking& packing, const PackingMotion& motion, const ContactTerms& c,
                      const Particles& p) {
   const bool flat = p.dimension() == 2;
-  const Vector3d normal = normal_of(packing, c), turn = turn_of(packing, motion, c, p.dimension());
+  const Vector3d normal = normal_of(packing, c), turn = packing.normal_change(motion, c);
   const Vector3d change = in_space(packing.force_change(motion, c));
   const double normal_force = c.force.dot(normal);
   const Vector3d along = c.force - normal_force * normal;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <Eigen/Geometry>
+
 #include <scree/error.hpp>
 #include <scree/response/found_modes.hpp>
 
@@ -55,6 +57,32 @@ double StaticPacking::component(const PackingMotion& motion, std::uint32_t end, 
   return number == DegreesOfFreedom::none ? 0 : motion.motion[number];
 }
 
+bool StaticPacking::turns(const ContactTerms& contact) const {
+  const std::size_t bodies = system_.freedom.bodies();
+  return contact.b >= bodies && system_.freedom.turn(contact.b - bodies) != DegreesOfFreedom::none;
+}
+
+double StaticPacking::angle(const PackingMotion& motion, const ContactTerms& contact) const {
+  return motion.motion[system_.freedom.turn(contact.b - system_.freedom.bodies())];
+}
+
+TurnedContact StaticPacking::turned(const ContactTerms& contact) const {
+  return turned_contact(contact, equations_.walls[contact.b - system_.freedom.bodies()],
+                        system_.freedom.dimension(), system_.freedom.spins());
+}
+
+// A wall that turns takes the normal with it, and the body stays behind.
+Eigen::Vector3d StaticPacking::normal_change(const PackingMotion& motion, const ContactTerms& contact) const {
+  Eigen::Vector3d apart = Eigen::Vector3d::Zero();
+  for (int k = 0; k < system_.freedom.dimension(); ++k)
+    apart[k] = component(motion, contact.a, k) - component(motion, contact.b, k);
+  if (!turns(contact)) return contact.normal_change * apart;
+  const TurnedContact of = turned(contact);
+  const Eigen::Vector3d turn = angle(motion, contact) * of.axis,
+                        normal(list_.normal.data() + 3 * contact.contact);
+  return contact.normal_change * (apart - turn.cross(of.arm)) + turn.cross(normal);
+}
+
 Eigen::VectorXd StaticPacking::force_change(const PackingMotion& motion, const ContactTerms& contact) const {
   const int dimension = system_.freedom.dimension(), of_body = dimension + system_.freedom.spins();
   Eigen::VectorXd moved(2 * of_body);
@@ -62,7 +90,10 @@ Eigen::VectorXd StaticPacking::force_change(const PackingMotion& motion, const C
     moved[k] = component(motion, contact.a, k);
     moved[of_body + k] = component(motion, contact.b, k);
   }
-  return -contact.stiffness.topRows(dimension) * moved;
+  const Eigen::VectorXd change = -contact.stiffness.topRows(dimension) * moved;
+  if (!turns(contact)) return change;
+  const TurnTerms terms = turn_terms(contact.stiffness.topLeftCorner(of_body, of_body), turned(contact));
+  return change - angle(motion, contact) * terms.by_turn.head(dimension);
 }
 
 }  // namespace scree::response

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "assembly/contact_terms.hpp"
+#include "assembly/turn_terms.hpp"
 #include "static/static_solution.hpp"
 
 #include <functional>
@@ -36,12 +36,18 @@ class StaticPacking {
 
   // Whether ContactTerms::a or b is a wall or a body that is held.
   bool is_held(std::uint32_t end) const;
-  // Component k of its displacement (m), then of its rotation (rad).
+  // Component k of its displacement (m), then of its rotation (rad); a wall has no rotation here.
   double component(const PackingMotion& motion, std::uint32_t end, int k) const;
+  // Change of the unit normal of a contact.
+  Eigen::Vector3d normal_change(const PackingMotion& motion, const ContactTerms& contact) const;
   // Change of the force on body a (N).
   Eigen::VectorXd force_change(const PackingMotion& motion, const ContactTerms& contact) const;
 
  private:
+  // Whether a contact is with a wall that torques turn; then its angle (rad), and where it touches.
+  bool turns(const ContactTerms& contact) const;
+  double angle(const PackingMotion& motion, const ContactTerms& contact) const;
+  TurnedContact turned(const ContactTerms& contact) const;
   PackingMotion solve(const Eigen::VectorXd& force, const Eigen::VectorXd& walls) const;
 
   LinearSystem system_;

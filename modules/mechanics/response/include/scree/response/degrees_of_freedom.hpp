@@ -10,8 +10,8 @@
 namespace scree::response {
 
 // Numbers the degrees of freedom of a linear system: for each body its translations (m), then its rotations
-// (rad); after the bodies the displacements of walls that forces move (m). Motions that a body or wall does
-// not have are left out.
+// (rad); after the bodies the displacements of walls that forces move (m), then the angles of walls that torques
+// turn (rad). Motions that a body or wall does not have are left out.
 class DegreesOfFreedom {
  public:
   static constexpr Eigen::Index none = -1;
@@ -23,9 +23,10 @@ class DegreesOfFreedom {
 
   // spins: 0, 1 or 3. translates, rotates: for each body; a body without translations has no rotations.
   // free_walls: whether forces move the wall. held: components that bodies do not have; empty: none.
+  // turning_walls: whether torques turn the wall; empty: none.
   DegreesOfFreedom(int dimension, int spins, const std::vector<bool>& translates,
                    const std::vector<bool>& rotates, const std::vector<bool>& free_walls = {},
-                   std::vector<freedom::Mask> held = {});
+                   std::vector<freedom::Mask> held = {}, const std::vector<bool>& turning_walls = {});
 
   int dimension() const { return dimension_; }
   int spins() const { return spins_; }
@@ -49,6 +50,8 @@ class DegreesOfFreedom {
   }
   // Number of the displacement of a wall along its direction; `none` if it is left out.
   Eigen::Index wall(std::size_t wall) const { return wall_[wall]; }
+  // Number of its angle; `none` if it is left out.
+  Eigen::Index turn(std::size_t wall) const { return turn_[wall]; }
 
  private:
   int first_rotation() const { return dimension_ == 2 ? freedom::count - 1 : freedom::first_rotation; }
@@ -67,7 +70,7 @@ class DegreesOfFreedom {
 
   int dimension_, spins_;
   Eigen::Index size_ = 0;
-  std::vector<Eigen::Index> translation_, rotation_, wall_;
+  std::vector<Eigen::Index> translation_, rotation_, wall_, turn_;
   std::vector<freedom::Mask> held_;
 };
 

@@ -59,6 +59,9 @@ class QuasiStatic {
   // balance.
   std::vector<scree_plane> planes() const;
   std::vector<scree_load> loads() const;
+  // The same of surfaces.
+  std::vector<scree_frame> frames() const;
+  std::vector<scree_frame_load> surface_loads() const;
   // 1 for walls that are not there.
   const std::vector<std::uint8_t>& absent_walls() const;
   // The state of the simulation with this packing at rest, at this time.

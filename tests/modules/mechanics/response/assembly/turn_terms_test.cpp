@@ -1,0 +1,208 @@
+#include "assembly/turn_terms.hpp"
+
+#include "surface_beds.hpp"
+
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include <scree/branching.hpp>
+#include <scree/response/linear_system.hpp>
+#include <scree/wall_surfaces.hpp>
+
+// Walls that forces move and torques turn.
+
+using namespace scree;
+using namespace scree::response;
+using scree::test::Matrix;
+using scree::test::Values;
+
+namespace {
+
+const Values spring_values = {{"normal_stiffness", {1000}},
+                              {"normal_damping", {3}},
+                              {"tangential_stiffness", {600}},
+                              {"tangential_damping", {2}},
+                              {"static_friction", {50}}};
+const Values undamped_values = {{"normal_stiffness", {1000}},
+                                {"normal_damping", {0}},
+                                {"tangential_stiffness", {600}},
+                                {"static_friction", {50}}};
+const Values hertz_values = {{"youngs_modulus", {1000}},
+                             {"poissons_ratio", {0.25}},
+                             {"restitution", {1}},
+                             {"friction", {50}},
+                             {"history", {2}}};
+
+const Vec3 along = {{0.6, 0.8, 0}}, from_bed = {{0.3, -0.2, 0}};
+Vec3 axis_in(int dimension) { return dimension == 2 ? Vec3{{0, 0, 1}} : Vec3{{2.0 / 3, 1.0 / 3, 2.0 / 3}}; }
+Vec3 centre_of(std::size_t bed) { return Vec3{{20 * double(bed), 0, 0}} + from_bed; }
+constexpr double inertia = 2e9;
+
+std::vector<double> numbers(const Vec3& v) { return {v[0], v[1], v[2]}; }
+
+// Beds that forces and torques move, as good as not at all, since they are heavy.
+Scene turning_beds(int dimension, const Values& law, const std::string& plugin = "linear_spring_dashpot") {
+  Scene s = test::surface_beds(dimension, law, plugin);
+  for (std::size_t b = 0; b < s.boundaries.size(); ++b) {
+    Parameters& p = s.boundaries[b].parameters;
+    p.set("direction", numbers(along));
+    if (dimension == 3) p.set("spin_axis", numbers(axis_in(3)));
+    p.set("spin_point", numbers(centre_of(b)));
+    p.set("force", std::vector<double>{0, 0}), p.set("mass", std::vector<double>{1e9});
+    p.set("torque", std::vector<double>{0, 0}), p.set("inertia", std::vector<double>{inertia});
+    p.set("spin_viscosity", std::vector<double>{1.7});
+    if (dimension == 3 && p.find("length") && !p.find("end_radius") && p.find("radius"))
+      p.set("length", std::vector<double>{10});
+  }
+  return s;
+}
+
+// Bodies, then beds, whose loads are along their direction and about their axis.
+Eigen::VectorXd loads(const Simulation& s, const DegreesOfFreedom& freedom) {
+  const Particles& p = s.particles();
+  Eigen::VectorXd all(freedom.size());
+  test::each_motion(freedom, [&](Eigen::Index row, std::size_t i, int k) {
+    const int D = freedom.dimension();
+    all[row] = k < D ? p.force()[k][i] : p.torque()[p.spin_axes().first + k - D][i];
+  });
+  for (std::size_t b = 0; b < freedom.walls(); ++b) {
+    const scree_frame& frame = s.surfaces().frames[b];
+    const Vec3 force = vector_of(s.surfaces().loads[b].force),
+               torque = vector_of(s.surfaces().loads[b].torque);
+    // The centre moves with the bed.
+    const Vec3 place = {{20 * double(b), 0, 0}};
+    const Vec3 moved = frame.spin[2] != 0 ? Vec3{} : vector_of(frame.position) - place;
+    const Vec3 arm = vector_of(frame.position) - (centre_of(b) + moved);
+    all[freedom.wall(b)] = dot(along, force);
+    all[freedom.turn(b)] = dot(axis_in(freedom.dimension()), torque + cross(arm, force));
+  }
+  return all;
+}
+
+// A bed moves along its direction and turns as prescribed.
+void move_bed(Simulation& s, std::size_t bed, double speed, double spin) {
+  const Scene::Boundary& entry = s.scene().boundaries[bed];
+  Parameters p = entry.parameters;
+  p.set("control", std::vector<double>{2}), p.set("velocity", std::vector<double>{0, speed});
+  p.set("spin_control", std::vector<double>{2}), p.set("spin", std::vector<double>{0, spin});
+  s.reconfigure_boundary(entry.name, p);
+  s.apply_reconfiguration();
+}
+
+// Columns of the beds, by a function of a bed and its rates.
+template <class Column>
+void each_bed_motion(const DegreesOfFreedom& freedom, const Column& column) {
+  for (std::size_t b = 0; b < freedom.walls(); ++b) {
+    column(freedom.wall(b), b, 1.0, 0.0);
+    column(freedom.turn(b), b, 0.0, 1.0);
+  }
+}
+
+Matrix stiffness_by_differences(const Scene& scene, const State& state, const DegreesOfFreedom& freedom) {
+  const double length = 2e-4;
+  Matrix all(freedom.size(), freedom.size());
+  const auto fill = [&](Eigen::Index column, const auto& after) {
+    all.col(column) = -(8 * (after(1) - after(-1)) - (after(2) - after(-2))) / (12 * length);
+  };
+  test::each_motion(freedom, [&](Eigen::Index column, std::size_t i, int k) {
+    fill(column, [&](double steps) -> Eigen::VectorXd {
+      Simulation moved(test::with_motion(scene, state, i, k, steps * length / scene.step), state,
+                       Branching());
+      moved.step();
+      return loads(moved, freedom);
+    });
+  });
+  each_bed_motion(freedom, [&](Eigen::Index column, std::size_t bed, double speed, double spin) {
+    fill(column, [&](double steps) -> Eigen::VectorXd {
+      const double rate = steps * length / scene.step;
+      Simulation moved(scene, state);
+      move_bed(moved, bed, speed * rate, spin * rate);
+      moved.step();
+      return loads(moved, freedom);
+    });
+  });
+  return all;
+}
+
+double error_of_stiffness(const Scene& scene) {
+  const State state = test::strained(scene);
+  const Simulation simulation(scene, state);
+  const LinearSystem system = assemble(simulation, {.fewest_contacts = 1});
+  REQUIRE(system.freedom.turn(0) != DegreesOfFreedom::none);
+  const Matrix expected = stiffness_by_differences(scene, state, system.freedom);
+  return (Matrix(system.stiffness) - expected).cwiseAbs().maxCoeff() / expected.cwiseAbs().maxCoeff();
+}
+
+}  // namespace
+
+// The tolerance is that of assemble_test.cpp: differences of fourth order.
+TEST_CASE("walls that torques turn have the stiffness that the kernel has", "[response][surfaces]") {
+  for (const int dimension : {2, 3}) {
+    CAPTURE(dimension);
+    CHECK(error_of_stiffness(turning_beds(dimension, undamped_values)) < 1e-8);
+  }
+  CHECK(error_of_stiffness(turning_beds(3, hertz_values, "hertz_mindlin")) < 1e-8);
+  CHECK(error_of_stiffness(turning_beds(3, undamped_values, "sphere_path_independent")) < 1e-8);
+}
+
+// As in assemble_test.cpp: forces are linear in velocities, and round-off is 1e-16 of forces that are 1e4 times
+// as large as their differences.
+TEST_CASE("walls that torques turn have the damping that the kernel has", "[response][surfaces]") {
+  const double rate = 1e-3;
+  for (const int dimension : {2, 3}) {
+    CAPTURE(dimension);
+    Scene scene = turning_beds(dimension, spring_values);
+    scene.step = 1e-9;
+    const Simulation start(scene);
+    const State state = start.state();
+    const LinearSystem system = assemble(start, {.fewest_contacts = 1});
+    Matrix expected(system.freedom.size(), system.freedom.size());
+    test::each_motion(system.freedom, [&](Eigen::Index column, std::size_t i, int k) {
+      const Simulation more(test::with_motion(scene, state, i, k, rate), state, Branching());
+      const Simulation less(test::with_motion(scene, state, i, k, -rate), state, Branching());
+      expected.col(column) = -(loads(more, system.freedom) - loads(less, system.freedom)) / (2 * rate);
+    });
+    each_bed_motion(system.freedom, [&](Eigen::Index column, std::size_t bed, double speed, double spin) {
+      Simulation more(scene, state), less(scene, state);
+      move_bed(more, bed, speed * rate, spin * rate), move_bed(less, bed, -speed * rate, -spin * rate);
+      expected.col(column) = -(loads(more, system.freedom) - loads(less, system.freedom)) / (2 * rate);
+    });
+    for (std::size_t b = 0; b < system.freedom.walls(); ++b) {
+      expected(system.freedom.turn(b), system.freedom.turn(b)) += 1.7;  // the viscosity of the bed
+      CHECK(system.mass[system.freedom.turn(b)] == inertia);
+    }
+    CHECK((Matrix(system.damping) - expected).cwiseAbs().maxCoeff() < 1e-10 * expected.cwiseAbs().maxCoeff());
+  }
+}
+
+// A disc on three fixed beads, which it presses: k = 3 k_n along its axis, 3 k_t r² about it.
+TEST_CASE("a disc on three beads rises and turns with the stiffness of their springs",
+          "[response][surfaces]") {
+  const double radius = 0.7, overlap = 0.01;
+  std::vector<Body> beads;
+  for (const double angle : {0.1, 2.2, 4.3})
+    beads.push_back(
+        test::body(std::int64_t(beads.size()), 0.3, 1,
+                   {{2 + radius * std::cos(angle), 1 + radius * std::sin(angle), -0.3 + overlap}}));
+  Scene scene = test::scene(3, 1e-4, beads, undamped_values);
+  for (Body& bead : scene.bodies) bead.fixed = true;
+  test::add_boundary(scene, "disc",
+                     {{"point", {2, 1, 0}},
+                      {"normal", {0, 0, -1}},
+                      {"radius", {1}},
+                      {"force", {30}},
+                      {"mass", {5}},
+                      {"torque", {0}},
+                      {"inertia", {2.5}}});
+  const Simulation simulation(scene);
+  const LinearSystem system = assemble(simulation, {.fewest_contacts = 1});
+  REQUIRE(system.freedom.size() == 2);
+  const Matrix k = system.stiffness;
+  const Eigen::Index rise = system.freedom.wall(0), turn = system.freedom.turn(0);
+  CHECK(k(rise, rise) == Approx(3 * 1000).epsilon(1e-14));
+  CHECK(k(turn, turn) == Approx(3 * 600 * radius * radius).epsilon(1e-14));
+  CHECK(std::abs(k(rise, turn)) + std::abs(k(turn, rise)) < 1e-14 * k(rise, rise));
+  CHECK(system.mass[rise] == 5);
+  CHECK(system.mass[turn] == 2.5);
+}
