@@ -153,7 +153,9 @@ TEST_CASE("quasi-static refuses what it cannot follow in one line and writes not
   const std::string cylinder =
       biaxial + "\n[[boundary]]\nplugin = \"cylinder\"\npoint = [0, 0]\nradius = 100\n";
   w.write("scene.toml", cylinder + "torque = 0\ninertia = 1\n");
-  refused("", "surface cylinder is turned by torques, and quasi-static loads displace walls without turning them");
+  refused(
+      "",
+      "surface cylinder is turned by torques, and quasi-static loads displace walls without turning them");
   w.write("scene.toml", cylinder + "spin = 1\n");
   refused("", "wall cylinder turns by a program");
   w.write("scene.toml", biaxial.substr(0, biaxial.find("[[stage]]\nname = \"cycles\"")));

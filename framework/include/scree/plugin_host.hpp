@@ -90,6 +90,8 @@ class Configured {
 struct NoInstance {};
 
 using ConfiguredLaw = Configured<scree_contact_law, scree_contact_instance>;
+// Whether the histories of a law begin with the components of a tangential spring.
+bool keeps_spring(const scree_contact_instance& law, int dimension);
 // Dimensions in which a contact law exists: 2, 3 or both.
 std::vector<int> dimensions_of(const Parameters& law);
 // Throws Error for a contact law that does not exist in a dimension.

@@ -1,19 +1,23 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include <scree/orientations.hpp>
 #include <scree/plugin/abi.h>
 #include <scree/plugin/vec.hpp>
+#include <scree/surface_place.hpp>
 
 namespace scree {
 
 // What the law of a touching pair keeps.
 struct ContactHistory {
-  std::uint32_t a, b;               // as in ContactList
-  std::span<const double> numbers;  // as many as the history of the law has
+  std::uint32_t a, b;                    // as in ContactList
+  std::span<const double> numbers;       // as many as the history of the law has
+  std::optional<SurfaceSpot> spot = {};  // on a mesh
+  std::uint32_t spot_number = 0;         // among the spots of a and a mesh
 };
 
 // The bodies and walls of a simulation at rest in other places; see Simulation::state_at_rest.

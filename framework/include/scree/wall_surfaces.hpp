@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <scree/plugin/abi.h>
+#include <scree/plugin/rotation.hpp>
 
 namespace scree {
 
@@ -25,6 +26,11 @@ struct WallSurfaces {
   std::size_t size() const { return shapes.size(); }
   bool any_mesh() const;
 };
+
+// From its axes to those of the scene.
+inline Rotation rotation_of(const scree_frame& frame) {
+  return {frame.orientation[0], {{frame.orientation[1], frame.orientation[2], frame.orientation[3]}}};
+}
 
 // "" or what a frame has that no surface can have: "velocity is (nan, 0, 0)".
 std::string problem_of(const scree_frame& frame);

@@ -10,8 +10,8 @@
 #include <array>
 #include <limits>
 #include <optional>
-#include <string_view>
 
+#include <scree/plugin_host.hpp>
 #include <scree/state_transfer.hpp>
 
 namespace scree {
@@ -55,13 +55,6 @@ std::array<double, 4 * 27> image_shifts(const Domain& domain) {
 }
 
 }  // namespace
-
-bool keeps_spring(const LawInstance& law, int dimension) {
-  constexpr std::string_view names[] = {"spring_x", "spring_y", "spring_z"};
-  const scree_contact_instance& interface = law.interface;
-  if (!interface.history_names || interface.history_width < std::uint32_t(dimension)) return false;
-  return std::equal(names, names + dimension, interface.history_names);
-}
 
 std::uint32_t reads_of(const std::vector<LawInstance>& laws) {
   std::uint32_t reads = 0;
@@ -135,7 +128,7 @@ void Forces::evaluate(const Evaluation& e, ThreadPool& threads, const FinishPart
                                          .slips = work.surfaces.slips()};
   std::vector<std::uint8_t> springs;
   if (work.surfaces.any())
-    for (const LawInstance& law : e.laws) springs.push_back(keeps_spring(law, features_.dimension));
+    for (const LawInstance& law : e.laws) springs.push_back(keeps_spring(law.interface, features_.dimension));
   const auto evaluate_pairs = [&](std::size_t tile, unsigned worker, kernel::TilePairs pairs) {
     if (work.surfaces.any() && pairs != kernel::TilePairs::crossing)
       work.surfaces.resolve(tile, e.contacts, e.particles, springs, work.constants);

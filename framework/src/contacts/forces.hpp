@@ -30,9 +30,6 @@ struct LawInstance {
   OnsetWeights touching = {}, parting = {};  // weights of its forces at first touch and at parting
 };
 
-// Whether histories begin with the components of a tangential spring.
-bool keeps_spring(const LawInstance& law, int dimension);
-
 // Bits of the inputs that any law reads, and of the inputs from which these are computed.
 std::uint32_t reads_of(const std::vector<LawInstance>& laws);
 

@@ -6,6 +6,8 @@
 #include <limits>
 #include <tuple>
 
+#include <scree/plugin/great_circle.hpp>
+
 namespace scree {
 
 namespace {
@@ -62,12 +64,6 @@ Vec3 read(const PairColumns& columns, std::uint32_t first, std::size_t row) {
 }
 void write(const Vec3& v, std::uint32_t first, std::size_t row, PairColumns& columns) {
   for (int k = 0; k < 3; ++k) columns.column(first + std::uint32_t(k))[row] = v[k];
-}
-
-// By the shortest rotation that turns one unit vector into another one.
-Vec3 turned(const Vec3& v, const Vec3& from, const Vec3& to) {
-  const Vec3 sum = from + to;
-  return v - dot(sum, v) / (1 + dot(from, to)) * sum + 2 * dot(from, v) * to;
 }
 
 }  // namespace
@@ -136,7 +132,7 @@ void MeshSpots::turn_springs(const Rotation& to_scene, const std::vector<Nearest
     if (from == to) continue;
     const std::size_t row = of.begin + s - of.group.begin;
     const Vec3 spring = to_scene.back()(read(of.group.history, 0, row));
-    write(to_scene(turned(spring, from, to)), 0, row, of.group.history);
+    write(to_scene(turned_between(spring, from, to)), 0, row, of.group.history);
   }
 }
 
@@ -157,6 +153,12 @@ void MeshSpots::keep(const std::vector<NearestPoint>& spots, const Pairs& of) {
     write(touches ? spots[s].point : Vec3{}, place, row, of.group.spots);
     write(touches ? spots[s].normal : Vec3{}, direction, row, of.group.spots);
   }
+}
+
+void keep_spot(PairGroup& group, std::size_t row, const Vec3& point, const Vec3& normal) {
+  group.spots.column(there)[row] = 1;
+  write(point, place, row, group.spots);
+  write(normal, direction, row, group.spots);
 }
 
 // Spots that were not there before are of the pairs that had none, in order.

@@ -87,6 +87,9 @@ constexpr std::uint32_t spot_width = 7;
 void read_kept_spots(const PairGroup& group, std::size_t begin, std::size_t end,
                      std::vector<KeptSpot>& spots);
 
+// Keeps a spot of a pair by its row, in the frame of its mesh.
+void keep_spot(PairGroup& group, std::size_t row, const Vec3& point, const Vec3& normal);
+
 // The spot that a pair has for a body (m) at x in the frame of its mesh, which may have moved since spots
 // were kept; none if it does not touch there.
 std::optional<NearestPoint> spot_of_pair(const TriangleMesh& mesh, const SpotRule& rule, const Vec3& x,

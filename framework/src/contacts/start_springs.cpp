@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <scree/plugin_host.hpp>
+
 namespace scree {
 
 namespace {
@@ -41,7 +43,7 @@ StartSprings place_springs(const std::vector<Scene::Spring>& springs, const Cont
       ++result.apart;
       continue;
     }
-    if (!keeps_spring(laws[touching.law[*place]], dimension)) {
+    if (!keeps_spring(laws[touching.law[*place]].interface, dimension)) {
       ++result.without_room;
       continue;
     }

@@ -86,6 +86,12 @@ void check_dimension(const Parameters& law, int dimension) {
                           dimension));
 }
 
+bool keeps_spring(const scree_contact_instance& law, int dimension) {
+  constexpr std::string_view names[] = {"spring_x", "spring_y", "spring_z"};
+  if (!law.history_names || law.history_width < std::uint32_t(dimension)) return false;
+  return std::equal(names, names + dimension, law.history_names);
+}
+
 std::vector<int> dimensions_of(const Parameters& law) {
   std::vector<int> dimensions;
   for (const int dimension : {2, 3})

@@ -227,14 +227,16 @@ void SimulationParts::come_to_rest(const RestingPacking& packing) {
   for (const ContactHistory& contact : packing.contacts) {
     const std::size_t bodies = particles.size();
     const bool plane = contact.b >= bodies;
-    const auto [group, row] = contacts.find(
-        plane, contact.a, plane ? std::uint32_t(contact.b - bodies) : contact.b, particles.order());
+    const auto [group, row] =
+        contacts.find(plane, contact.a, plane ? std::uint32_t(contact.b - bodies) : contact.b,
+                      particles.order(), contact.spot_number);
     if (!group)
       throw Error(
           fmt::format("bodies {} and {} do not touch where they are at rest; list only pairs that touch",
                       contact.a, contact.b));
     for (std::uint32_t k = 0; k < group->history_width; ++k)
       group->history.column(k)[row] = contact.numbers[k];
+    if (contact.spot) keep_spot(*group, row, contact.spot->point, contact.spot->normal);
   }
 }
 

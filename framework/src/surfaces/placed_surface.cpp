@@ -27,7 +27,7 @@ PlacedSurface::PlacedSurface(const scree_surface& surface, const TriangleMesh* m
       mid_velocity_(vector_of(frame.mid_velocity)),
       mid_spin_(vector_of(frame.mid_spin)),
       mid_origin_(origin_ - 0.5 * step * mid_velocity_),
-      to_scene_{frame.orientation[0], {{frame.orientation[1], frame.orientation[2], frame.orientation[3]}}},
+      to_scene_(rotation_of(frame)),
       mid_to_scene_(Rotation::by(-0.5 * step * mid_spin_) * to_scene_),
       cosine_smooth_(mesh ? cosine_of(surface.size[1]) : 1),
       chord_(step != 0 ? 2 / step * half_angle_of(step * mid_spin_).sine : mid_spin_) {}

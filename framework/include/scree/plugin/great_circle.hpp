@@ -44,6 +44,12 @@ inline T arc_shear(const T& square) {
                             2.321401373072035e-07);
 }
 
+// A vector turned by the shortest rotation that takes one unit vector to another.
+inline Vec3 turned_between(const Vec3& v, const Vec3& from, const Vec3& to) {
+  const Vec3 sum = from + to;
+  return v - dot(sum, v) / (1 + dot(from, to)) * sum + 2 * dot(from, v) * to;
+}
+
 // A vector rotated by the unit quaternion (w, x, y, z).
 template <class T>
 inline Vec<3, T> rotated(const Vec<4, T>& quaternion, const Vec<3, T>& v) {

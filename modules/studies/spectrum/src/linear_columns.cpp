@@ -117,9 +117,7 @@ void DisplacedView::turn_walls(const response::HarmonicResponse& motion, Complex
     const double spin = (rates.central * angle).real();
     const Vec3 axis = vector_of(equations_.walls[w].axis);
     const Vec3 along = cross(axis, vector_of(frames_[s].position) - vector_of(equations_.walls[w].centre));
-    const Rotation before = {
-        frames_[s].orientation[0],
-        {{frames_[s].orientation[1], frames_[s].orientation[2], frames_[s].orientation[3]}}};
+    const Rotation before = rotation_of(frames_[s]);
     const Rotation after = Rotation::by(angle.real() * axis) * before;
     frames_[s].orientation[0] = after.real;
     for (int k = 0; k < 3; ++k) {

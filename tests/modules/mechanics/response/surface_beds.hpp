@@ -11,7 +11,7 @@ namespace scree::test {
 
 // Bodies of radius 1 far from each other, each on a surface of its own, in which it is by 0.05 to 0.07:
 // faces, edges and corners, from inside and outside, with frames that are turned. Meshes come last.
-inline Scene surface_beds(int dimension, const Values& law, const std::string& plugin, bool meshes = true) {
+inline Scene surface_beds(int dimension, const Values& law, const std::string& plugin) {
   struct Bed {
     std::string plugin;
     Values values;
@@ -48,9 +48,9 @@ inline Scene surface_beds(int dimension, const Values& law, const std::string& p
         {"disc", {{"normal", {1, 0, 0}}, {"radius", {3}}, {"hole", {0.5}}}, {{0.85, 0, 0.1}}},
         {"sphere", {{"radius", {2}}, {"high", {0.5}}, {"axis", {0, 1, 0}}}, {{1.6365, 1.39, 0}}}};
     const Values box = {{"file", box_mesh({{1.5, 1.5, 1.5}}).numbers()}};
-    if (meshes)
-      for (const Vec3& centre : {Vec3{{0.3, 2.43, 0.2}}, Vec3{{2.1, 2.22, 0.3}}, Vec3{{2, 2.05, 2.08}}})
-        beds.push_back({"mesh", box, centre});
+
+    for (const Vec3& centre : {Vec3{{0.3, 2.43, 0.2}}, Vec3{{2.1, 2.22, 0.3}}, Vec3{{2, 2.05, 2.08}}})
+      beds.push_back({"mesh", box, centre});
   }
   std::vector<Body> bodies;
   for (std::size_t i = 0; i < beds.size(); ++i)

@@ -155,6 +155,61 @@ TEST_CASE("a packing that follows a load is at rest for the kernel: spheres in a
   }
 }
 
+// Four beads in a box, which a lid presses and drags along, between planes and inside a mesh of 1200 triangles.
+// The balance is found to 1e-11 of forces of 1 N, so that places differ by 1e-11 N over 1e4 N/m.
+TEST_CASE("a quasi-static load moves beads in a box of triangles as in one of planes") {
+  const std::string text =
+      "particle = [\n"
+      "{ position = [-4.5e-3, -4.5e-3, -4.49e-3], radius = 4.52e-3, material = \"glass\" },\n"
+      "{ position = [4.5e-3, -4.5e-3, -4.48e-3], radius = 4.53e-3, material = \"glass\" },\n"
+      "{ position = [-4.5e-3, 4.5e-3, -4.48e-3], radius = 4.53e-3, material = \"glass\" },\n"
+      "{ position = [4.5e-3, 4.5e-3, -4.47e-3], radius = 4.54e-3, material = \"glass\" }]\n"
+      "[time]\nstep = 2e-5\n[[material]]\nname = \"glass\"\ndensity = 2500\n"
+      "[[boundary]]\nplugin = \"plane\"\nname = \"lid\"\npoint = [0, 0, 1e-4]\nnormal = [0, 0, -1]\n"
+      "direction = [0.5, 0.2, -1]\nforce = 1\ncontrol = \"force\"\nmass = 0.05\nviscosity = 5\n"
+      "[[body_force]]\nplugin = \"background_damping\"\ntranslational = 0.1\nrotational = 0.1\n"
+      "[[stage]]\nname = \"press\"\nuntil = { kinetic_over_elastic = 1e-18, at_least = 0.1, at_most = 5 }\n"
+      "[[stage]]\nname = \"load\"\nduration = 1\nset.lid.force = { from = 1, to = 2, duration = 1 }\n";
+  const std::string planes =
+      "[[boundary]]\nplugin = \"box\"\nlower = [-9e-3, -9e-3, -9e-3]\nupper = [9e-3, 9e-3, 9e-3]\nx = \"fixed\"\n"
+      "y = \"fixed\"\nz = \"fixed\"\n";
+  const std::string mesh = "[[boundary]]\nplugin = \"mesh\"\nname = \"box\"\nfile = \"" SCREE_TEST_SOURCE
+                           "/scenarios/surfaces/cube.stl\"\nscale = 0.36e-3\nside = \"inside\"\n";
+  for (const std::string law : {"linear_spring_dashpot", "sphere_path_independent"}) {
+    INFO(law);
+    const std::string contact = "[[contact]]\nname = \"beads\"\nplugin = \"" + law +
+                                "\"\nnormal_stiffness = 1e4\nrestitution = 0.3\n"
+                                "tangential_stiffness = 5e3\nstatic_friction = 0.3\n";
+    const auto places = [&](const std::string& walls) {
+      quasi_static::FollowedLoad load;
+      Prepared prepared(plan_of(text + contact + walls));
+      const std::unique_ptr<Simulation> start = prepared.from(prepared.simulation->state());
+      load.increment = 1.0 / 40;
+      LoadedPacking packing(
+          prepared.plan, 1, [] { return true; }, load);
+      const double time = prepared.simulation->time();
+      REQUIRE(packing.begin(std::move(prepared.simulation)));
+      REQUIRE(packing.advance(time + 1));
+      CHECK(load.hand_overs.empty());
+      const std::unique_ptr<Simulation> end = prepared.from(packing.state());
+      std::vector<Vec3> all;
+      for (std::size_t i = 0; i < 4; ++i) {
+        all.push_back(end->particles().body(i).position);
+        all.push_back(all.back() - start->particles().body(i).position);
+      }
+      // What goes on from there is at rest.
+      end->step();
+      CHECK(1e10 * unbalanced(*end) < largest_load(*end));
+      return all;
+    };
+    const std::vector<Vec3> between = places(planes), inside = places(mesh);
+    for (std::size_t k = 0; k < between.size(); k += 2) {
+      CHECK(norm(inside[k] - between[k]) < 1e-13);
+      CHECK(norm(between[k + 1]) > 1e-6);
+    }
+  }
+}
+
 // Some beads cross the period, and their contacts join images.
 TEST_CASE(
     "a packing that follows a load is at rest for the kernel: spheres between walls, periodic otherwise") {

@@ -20,7 +20,7 @@ Eigen::Matrix3d across(const Eigen::Vector3d& n) { return Eigen::Matrix3d::Ident
 }  // namespace
 
 PairPlace::PairPlace(const Simulation& simulation, const StaticPair& pair, const StaticConfiguration& after,
-                     const StaticMotion& all)
+                     const StaticMotion& all, const MeshContact* on_mesh)
     : PairAtRest(simulation.particles(), pair.a, pair.b),
       motion{all.displacement[pair.a] - all.displacement[pair.b], all.rotation[pair.a],
              all.rotation[pair.b]} {
@@ -30,6 +30,8 @@ PairPlace::PairPlace(const Simulation& simulation, const StaticPair& pair, const
     set_between();
   else if (wall < planes)
     set_at_plane(simulation.planes()[wall]);
+  else if (on_mesh)
+    set_on_mesh(*pair.spot, *on_mesh, rotation_of(simulation.surfaces().frames[wall - planes]));
   else
     set_at_surface(simulation.surfaces(), wall - planes, simulation.dimension());
   if (to_wall()) crossed = -pair.shift;
@@ -57,11 +59,37 @@ void PairPlace::set_at_surface(const WallSurfaces& all, std::size_t surface, int
   PairAtRest::set_at_surface(nearest_place(all, end), separation);
   const SurfacePlace there = nearest_place(all, half_way);
   middle_change = there.change.normal;
+  set_middle(there.direction.normal);
+}
+
+void PairPlace::set_middle(const Vec3& middle_normal) {
   // As the kernel has it: the distance at the end less the way since the middle.
   const Vec3 half = 0.5 * motion.velocity;
-  middle = mid_step_direction<true>({there.direction.normal, distance}, separation, motion.velocity, 1);
+  middle = mid_step_direction<true>({middle_normal, distance}, separation, motion.velocity, 1);
   middle_distance_change = normal - 0.5 * middle.normal;
   for (int k = 0; k < 3; ++k) middle_distance_change -= 0.5 * half[k] * middle_change[std::size_t(k)];
+}
+
+// As the kernel has it, the normal in the middle is between those of the spots before and now.
+void PairPlace::set_on_mesh(const SurfaceSpot& before, const MeshContact& contact, const Rotation& to_scene) {
+  constexpr double apart = 2;  // distance of a body that has no spot, in radii
+  if (!contact.place) {
+    normal = to_scene(before.normal), distance = apart * radius_a;
+    change = {}, middle_change = {};
+    return set_middle(normal);
+  }
+  PairAtRest::set_at_surface(*contact.place, separation);
+  spot = contact.place->spot;
+  if (!contact.touched) {
+    middle_change = {};
+    return set_middle(normal);
+  }
+  const Vec3 sum = to_scene(before.normal) + normal, between = 1 / norm(sum) * sum;
+  // By half of the displacement, of which the end is the whole.
+  const Eigen::Matrix3d turned = 2 / norm(sum) * across(vector(between)) * matrix_of(change.normal);
+  for (int k = 0; k < 3; ++k)
+    for (int l = 0; l < 3; ++l) middle_change[std::size_t(k)][l] = turned(k, l);
+  set_middle(between);
 }
 
 Vec3 PairPlace::slip(const PairDirection<3>& at, scree_arms arms) const {

@@ -4,7 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
+
+#include <scree/plugin/great_circle.hpp>
+#include <scree/wall_surfaces.hpp>
 
 namespace scree::response {
 
@@ -15,6 +19,14 @@ constexpr double duration = 1e15;
 
 scree_arms arms_of(const ConfiguredLaw& law) { return scree_arms(law.instance().arms); }
 
+auto order(const StaticPair& p) { return std::tie(p.a, p.b); }
+
+// Among the spots of the same body and mesh that were listed directly before.
+std::uint32_t number_of_spot(const std::vector<ContactHistory>& before, const StaticPair& pair) {
+  const bool follows = !before.empty() && before.back().a == pair.a && before.back().b == pair.b;
+  return pair.spot && follows ? before.back().spot_number + 1 : 0;
+}
+
 }  // namespace
 
 PairsOfLaw::PairsOfLaw(const Simulation& simulation, std::uint32_t law, Partner partner, int spins)
@@ -24,29 +36,88 @@ PairsOfLaw::PairsOfLaw(const Simulation& simulation, std::uint32_t law, Partner 
       jacobian_(law_, simulation.dimension()),
       spins_(spins) {}
 
-void PairsOfLaw::set_pairs(std::vector<StaticPair> pairs) {
-  const auto order = [](const StaticPair& p) { return std::tie(p.a, p.b); };
+void PairsOfLaw::set_pairs(std::vector<StaticPair> pairs, double gap) {
   std::vector<double> history(pairs.size() * width(), 0.0);
   std::vector<PairState> states(pairs.size());
   for (std::size_t i = 0, k = 0; i < pairs.size(); ++i) {
     while (k < pairs_.size() && order(pairs_[k]) < order(pairs[i])) ++k;
-    if (k == pairs_.size() || order(pairs_[k]) != order(pairs[i])) continue;
-    std::copy_n(history_.begin() + std::ptrdiff_t(k * width()), width(),
+    const std::optional<std::size_t> before = former(pairs[i], k);
+    if (!before) continue;
+    std::copy_n(history_.begin() + std::ptrdiff_t(*before * width()), width(),
                 history.begin() + std::ptrdiff_t(i * width()));
-    states[i] = states_[k];
+    states[i] = states_[*before];
   }
   pairs_ = std::move(pairs);
   history_ = std::move(history);
   states_ = std::move(states);
+  gap_ = gap;
 }
 
-void PairsOfLaw::set_history(std::uint32_t a, std::uint32_t b, const std::vector<double>& history,
-                             bool sliding) {
+std::optional<std::size_t> PairsOfLaw::former(const StaticPair& pair, std::size_t first) const {
+  constexpr double least_cosine = 0.94;  // of the angle between two normals of one spot
+  std::optional<std::size_t> best;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t k = first; k < pairs_.size() && order(pairs_[k]) == order(pair); ++k) {
+    if (!pair.spot || !pairs_[k].spot) return k;
+    const double away = norm(pairs_[k].spot->point - pair.spot->point);
+    if (!(dot(pairs_[k].spot->normal, pair.spot->normal) > least_cosine) || away >= nearest) continue;
+    best = k, nearest = away;
+  }
+  return best;
+}
+
+void PairsOfLaw::set_history(std::uint32_t a, std::uint32_t b, const Vec3& normal,
+                             const std::vector<double>& history, bool sliding) {
+  std::optional<std::size_t> best;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     if (pairs_[i].a != a || pairs_[i].b != b) continue;
-    std::copy_n(history.begin(), width(), history_.begin() + std::ptrdiff_t(i * width()));
-    states_[i].status = sliding ? PairStatus::slides : PairStatus::sticks;
+    if (!best ||
+        (pairs_[i].spot && dot(normal_of(pairs_[i]), normal) > dot(normal_of(pairs_[*best]), normal)))
+      best = i;
   }
+  if (!best) return;
+  std::copy_n(history.begin(), width(), history_.begin() + std::ptrdiff_t(*best * width()));
+  states_[*best].status = sliding ? PairStatus::slides : PairStatus::sticks;
+}
+
+Vec3 PairsOfLaw::normal_of(const StaticPair& pair) const {
+  const std::size_t walls = simulation_.particles().size() + simulation_.planes().size();
+  return rotation_of(simulation_.surfaces().frames[pair.b - walls])(pair.spot->normal);
+}
+
+std::size_t PairsOfLaw::end_of_spots(std::size_t begin) const {
+  std::size_t end = begin + 1;
+  while (end < pairs_.size() && order(pairs_[end]) == order(pairs_[begin])) ++end;
+  return end;
+}
+
+void PairsOfLaw::add_places(std::size_t begin, std::size_t end, const StaticConfiguration& after,
+                            const StaticMotion& motion) {
+  const StaticPair& first = pairs_[begin];
+  if (!first.spot) {
+    places_.emplace_back(simulation_, first, after, motion);
+    return;
+  }
+  const std::size_t walls = simulation_.particles().size() + simulation_.planes().size();
+  const double radius = simulation_.particles().radius()[first.a];
+  const BodyAtSurface body = {first.b - walls, simulation_.dimension(),
+                              after.position[first.a] - after.position[first.b] + first.shift, radius};
+  std::vector<SurfaceSpot> spots;
+  for (std::size_t i = begin; i < end; ++i) spots.push_back(*pairs_[i].spot);
+  const auto now = places_after(simulation_.surfaces(), body, radius + gap_, spots);
+  for (std::size_t i = begin; i < end; ++i) {
+    const MeshContact contact = {now[i - begin], states_[i].status != PairStatus::open};
+    places_.emplace_back(simulation_, pairs_[i], after, motion, &contact);
+  }
+}
+
+void PairsOfLaw::fill_history(std::size_t i) {
+  for (std::uint32_t k = 0; k < width(); ++k) columns_->history(k, i) = history_[i * width() + k];
+  if (!places_[i].spot || !keeps_spring(law_.instance(), simulation_.dimension())) return;
+  Vec3 spring;
+  for (int k = 0; k < 3; ++k) spring[k] = columns_->history(std::size_t(k), i);
+  spring = turned_between(spring, normal_of(pairs_[i]), places_[i].normal);
+  for (int k = 0; k < 3; ++k) columns_->history(std::size_t(k), i) = spring[k];
 }
 
 void PairsOfLaw::fill(std::size_t i, const PairPlace& at, const StaticConfiguration& after,
@@ -61,7 +132,7 @@ void PairsOfLaw::fill(std::size_t i, const PairPlace& at, const StaticConfigurat
     columns.input(SCREE_RELATIVE_SPIN, 0, i) = spin[2];
   else
     columns.set(SCREE_RELATIVE_SPIN, spin, i);
-  for (std::uint32_t k = 0; k < width(); ++k) columns.history(k, i) = history_[i * width() + k];
+  fill_history(i);
 }
 
 void PairsOfLaw::add_loads(std::size_t i, StaticLoads& loads) {
@@ -106,10 +177,11 @@ void PairsOfLaw::evaluate(const StaticConfiguration& after, const StaticMotion& 
   places_.clear();
   next_history_.assign(history_.size(), 0.0);
   next_states_.assign(pairs_.size(), {});
+  for (std::size_t i = 0, end; i < pairs_.size(); i = end)
+    end = end_of_spots(i), add_places(i, end, after, motion);
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    const PairPlace& at = places_.emplace_back(simulation_, pairs_[i], after, motion);
-    fill(i, at, after, motion);
-    geometries_.push_back(at.geometry(simulation_.dimension(), spins_, arms_of(law_)));
+    fill(i, places_[i], after, motion);
+    geometries_.push_back(places_[i].geometry(simulation_.dimension(), spins_, arms_of(law_)));
   }
   columns_->evaluate(law_, duration);
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
@@ -125,7 +197,7 @@ void PairsOfLaw::add_stiffness(Entries& stiffness) {
   std::vector<double> jacobian;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     variations[i] = places_[i].change;
-    for (std::uint32_t k = 0; k < width(); ++k) columns_->history(k, i) = history_[i * width() + k];
+    fill_history(i);
   }
   jacobian_.evaluate(columns_->batch(duration), variations, jacobian);
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
@@ -145,6 +217,8 @@ void PairsOfLaw::add_stiffness(Entries& stiffness) {
 void PairsOfLaw::commit() {
   history_.swap(next_history_);
   states_.swap(next_states_);
+  for (std::size_t i = 0; i < places_.size(); ++i)
+    if (places_[i].spot) pairs_[i].spot = places_[i].spot;
 }
 
 void PairsOfLaw::mark_touched(std::vector<bool>& touched) const {
@@ -155,7 +229,8 @@ void PairsOfLaw::mark_touched(std::vector<bool>& touched) const {
 void PairsOfLaw::append_touching(std::vector<ContactHistory>& all) const {
   for (std::size_t i = 0; i < pairs_.size(); ++i)
     if (states_[i].status != PairStatus::open)
-      all.push_back({pairs_[i].a, pairs_[i].b, std::span(history_).subspan(i * width(), width())});
+      all.push_back({pairs_[i].a, pairs_[i].b, std::span(history_).subspan(i * width(), width()),
+                     pairs_[i].spot, number_of_spot(all, pairs_[i])});
 }
 
 }  // namespace scree::response

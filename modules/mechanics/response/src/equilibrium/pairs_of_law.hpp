@@ -4,6 +4,7 @@
 #include "equilibrium/pair_place.hpp"
 #include "equilibrium/static_configuration.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -26,8 +27,11 @@ class PairsOfLaw {
   PairsOfLaw(const Simulation& simulation, std::uint32_t law, Partner partner, int spins);
 
   // Sorted by (a, b). Pairs that were listed before keep their histories; new ones begin without.
-  void set_pairs(std::vector<StaticPair> pairs);
-  void set_history(std::uint32_t a, std::uint32_t b, const std::vector<double>& history, bool sliding);
+  // gap: (m) within which they were looked for.
+  void set_pairs(std::vector<StaticPair> pairs, double gap);
+  // normal: of the contact, by which spots are told apart.
+  void set_history(std::uint32_t a, std::uint32_t b, const Vec3& normal, const std::vector<double>& history,
+                   bool sliding);
   // These three: see StaticContacts.
   void evaluate(const StaticConfiguration& after, const StaticMotion& motion, StaticLoads& loads);
   void add_stiffness(Entries& stiffness);
@@ -45,6 +49,17 @@ class PairsOfLaw {
  private:
   bool touches(std::size_t i) { return columns_->input(SCREE_OVERLAP, 0, i) > 0; }
   PairState state_of(std::size_t i);
+  // The pair before the increment that a new one goes on from, among those from `first` on; nothing if there is
+  // none.
+  std::optional<std::size_t> former(const StaticPair& pair, std::size_t first) const;
+  // The first pair behind `begin` that is not of the same body and mesh.
+  std::size_t end_of_spots(std::size_t begin) const;
+  void add_places(std::size_t begin, std::size_t end, const StaticConfiguration& after,
+                  const StaticMotion& motion);
+  // Normal of a spot in the scene.
+  Vec3 normal_of(const StaticPair& pair) const;
+  // The history at the beginning of the increment; on a mesh its spring has turned with the spot.
+  void fill_history(std::size_t i);
   void fill(std::size_t i, const PairPlace& at, const StaticConfiguration& after, const StaticMotion& motion);
   void add_loads(std::size_t i, StaticLoads& loads);
 
@@ -61,6 +76,7 @@ class PairsOfLaw {
   std::vector<PairPlace> places_;
   std::vector<ContactGeometry> geometries_;
   double largest_force_ = 0;  // (N)
+  double gap_ = 0;            // (m) up to which pairs are listed
 };
 
 }  // namespace scree::response

@@ -28,7 +28,6 @@ constexpr int most_events_located = 16;
 namespace {
 
 void check_surfaces(const Simulation& simulation, const WallEquations& equations) {
-  exact_surfaces(simulation);
   for (std::size_t w = 0; w < equations.walls.size(); ++w)
     if (equations.walls[w].turns)
       throw Error(fmt::format(

@@ -11,19 +11,18 @@
 
 namespace scree::response {
 
-std::vector<std::uint32_t> exact_surfaces(const Simulation& simulation) {
+namespace {
+
+// Numbers of the surfaces that exert forces.
+std::vector<std::uint32_t> present_surfaces(const Simulation& simulation) {
   const WallSurfaces& surfaces = simulation.surfaces();
   std::vector<std::uint32_t> present;
-  for (std::uint32_t s = 0; s < surfaces.size(); ++s) {
-    if (simulation.absent_walls()[simulation.planes().size() + s]) continue;
-    if (surfaces.meshes[s])
-      throw Error(fmt::format(
-          "surface {} is a mesh, which a quasi-static load does not know; use planes, cylinders and other exact shapes",
-          surfaces.names[s]));
-    present.push_back(s);
-  }
+  for (std::uint32_t s = 0; s < surfaces.size(); ++s)
+    if (!simulation.absent_walls()[simulation.planes().size() + s]) present.push_back(s);
   return present;
 }
+
+}  // namespace
 
 StaticContacts::StaticContacts(const Simulation& simulation, int spins) : simulation_(simulation) {
   for (const auto partner : {PairsOfLaw::Partner::body_or_plane, PairsOfLaw::Partner::surface})
@@ -36,7 +35,8 @@ StaticContacts::StaticContacts(const Simulation& simulation, int spins) : simula
     std::vector<double> history;
     for (std::uint32_t k = 0; k < law.width(); ++k)
       history.push_back(simulation.contact_history(list.pair[c], k));
-    law.set_history(list.a[c], list.b[c], history, list.sliding[c]);
+    const Vec3 normal = {{list.normal[3 * c], list.normal[3 * c + 1], list.normal[3 * c + 2]}};
+    law.set_history(list.a[c], list.b[c], normal, history, list.sliding[c]);
   }
 }
 
@@ -64,13 +64,14 @@ void StaticContacts::find_pairs(const StaticConfiguration& at, double gap) {
   const Domain& domain = simulation_.domain();
   const std::size_t materials = simulation_.scene().materials.size();
   std::vector<std::vector<StaticPair>> pairs(laws_.size());
-  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t material_b, const Vec3& shift) {
+  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t material_b, const Vec3& shift,
+                       const std::optional<SurfaceSpot>& spot = std::nullopt) {
     const std::uint32_t law = simulation_.scene().law_of[p.material[a] * materials + material_b];
     if (simulation_.scene().laws[law].parameters.absent()) return;
-    pairs[place_of(law, b)].push_back({a, b, shift});
+    pairs[place_of(law, b)].push_back({a, b, shift, spot});
   };
   const std::vector<Sphere> wrapped = spheres(at);
-  const std::vector<std::uint32_t> surfaces = exact_surfaces(simulation_);
+  const std::vector<std::uint32_t> surfaces = present_surfaces(simulation_);
   const std::vector<NeighbourPair>& near = search_.find(wrapped, p.dimension(), domain, gap, threads_);
   auto next = near.begin();
   for (std::uint32_t a = 0; a < p.size(); ++a) {
@@ -96,13 +97,18 @@ void StaticContacts::find_pairs(const StaticConfiguration& at, double gap) {
       // Surfaces have no periodic images.
       const Vec3 shift = wrapped[a].position - at.position[a];
       const Vec3 from_origin = at.position[a] - at.position[b] + shift;
-      const SurfacePlace place =
-          nearest_place(simulation_.surfaces(), {s, p.dimension(), from_origin, p.radius()[a]});
-      if (place.direction.distance <= p.radius()[a] + gap)
-        add(a, b, simulation_.surfaces().materials[s], shift);
+      const BodyAtSurface body = {s, p.dimension(), from_origin, p.radius()[a]};
+      const std::uint32_t material = simulation_.surfaces().materials[s];
+      if (simulation_.surfaces().meshes[s]) {
+        for (const SurfacePlace& place : places_within(simulation_.surfaces(), body, p.radius()[a] + gap))
+          add(a, b, material, shift, place.spot);
+        continue;
+      }
+      const SurfacePlace place = nearest_place(simulation_.surfaces(), body);
+      if (place.direction.distance <= p.radius()[a] + gap) add(a, b, material, shift);
     }
   }
-  for (std::size_t law = 0; law < laws_.size(); ++law) laws_[law]->set_pairs(std::move(pairs[law]));
+  for (std::size_t law = 0; law < laws_.size(); ++law) laws_[law]->set_pairs(std::move(pairs[law]), gap);
 }
 
 void StaticContacts::evaluate(const StaticConfiguration& after, const StaticMotion& motion,

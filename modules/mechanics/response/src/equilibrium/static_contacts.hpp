@@ -10,9 +10,6 @@
 
 namespace scree::response {
 
-// Numbers of the surfaces that exert forces. Throws Error if one is a mesh.
-std::vector<std::uint32_t> exact_surfaces(const Simulation& simulation);
-
 // Pairs of a packing that touch or are about to touch, with the histories of their laws, which advance in
 // increments of any size: the history at the end of an increment follows from the history before it and the
 // motion in it.

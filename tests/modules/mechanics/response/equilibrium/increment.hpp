@@ -22,9 +22,9 @@ inline Scene with_motions(Scene s) {
   return s;
 }
 
-// Bodies on surfaces, which are no meshes, that move by themselves.
+// Bodies on surfaces that move by themselves.
 inline Scene moving_beds(int dimension, const std::string& plugin, const Values& law) {
-  return with_motions(surface_beds(dimension, law, plugin, false));
+  return with_motions(surface_beds(dimension, law, plugin));
 }
 
 // A heap whose bodies move by themselves, and one that first touches it in the middle of the step.
