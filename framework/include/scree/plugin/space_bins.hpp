@@ -63,9 +63,10 @@ struct SpaceBins {
       return setup.refuse("region = \"box\" lacks lower or upper; add both corners");
     if (round() && !is_cone() && (!centre || std::isnan(radius)))
       return setup.refuse("the region lacks centre or radius; add both");
+    if (is_cone() && radius_low + radius_high == 0)
+      return setup.refuse("both radii of the cone are 0; give one above 0");
     if (is_cone() && !(centre && radius_low + radius_high > 0))
-      return setup.refuse(
-          "the cone lacks centre, radius_low or radius_high; add all, with one radius above 0");
+      return setup.refuse("the cone lacks centre, radius_low or radius_high; add all");
     if (has_axis() && setup.dimension() == 2)
       return setup.refuse("a 2D scene has no cylinders; choose region = \"sphere\", which is a circle there");
     if (has_axis() && std::isnan(length))

@@ -160,7 +160,7 @@ LinearSystem assemble(const Simulation& simulation, const AssemblyOptions& optio
                             simulation.time(), p.size(), counted(contacts.size(), "contact"),
                             options.fewest_contacts > 1
                                 ? fmt::format(", or give a fewest_contacts below {}", options.fewest_contacts)
-                                : ""));
+                                : ", or count bodies with one contact as held (fewest_contacts = 1)"));
 
   Entries stiffness(freedom, equations), damping(freedom, equations), mass(freedom, equations);
   std::size_t sliding_contacts = 0, one_way_contacts = 0;
