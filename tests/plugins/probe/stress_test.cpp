@@ -138,7 +138,8 @@ TEST_CASE("stress: a scene without walls, and keys that do not fit, are refused"
   CHECK_THAT(refusal_3d({}), Catch::Contains("region = \"cone\" lacks length"));
   CHECK_THAT(refusal_3d({{"length", {1}}, {"radius", {1}}}),
              Catch::Contains("centre and radius belong to region"));
-  CHECK_THAT(refusal_3d({{"length", {1}}, {"radius_low", {0}}}), Catch::Contains("both radii of the cone are 0"));
+  CHECK_THAT(refusal_3d({{"length", {1}}, {"radius_low", {0}}}),
+             Catch::Contains("both radii of the cone are 0"));
   CHECK_THAT(refusal_3d({{"length", {1}}, {"along", {3}}}),
              Catch::Contains("shells along = \"radius\" need"));
   CHECK_THAT(refusal_3d({{"length", {1}}, {"bins", {2}}, {"along", {0}}}),
