@@ -89,3 +89,53 @@ TEST_CASE("a contact of bodies that are apart is refused") {
   CHECK(error_line([&] { apart.state_at_rest(present.packing); }) ==
         "bodies 0 and 1 do not touch where they are at rest; list only pairs that touch");
 }
+
+// A lid and a plane that move, whose boundaries keep speeds and places in their state.
+TEST_CASE(
+    "walls that come to rest elsewhere have no speeds, and the centres of their turns have moved with them",
+    "[surfaces]") {
+  Scene scene = test::scene(3, 1e-3, {body(0, 1, 1, {{0, 0, 0}})},
+                            {{"normal_stiffness", {1e4}}, {"normal_damping", {0}}});
+  add_boundary(scene, "disc",
+               {{"point", {0, 0, 2}},
+                {"normal", {0, 0, -1}},
+                {"radius", {1}},
+                {"force", {5}},
+                {"mass", {2}},
+                {"torque", {3}},
+                {"inertia", {1}},
+                {"spin_point", {0.5, 0, 2}}});
+  add_boundary(scene, "plane",
+               {{"point", {0, 0, -3}},
+                {"normal", {0, 0, 1}},
+                {"control", {4}},
+                {"force", {0, 1}},
+                {"mass", {2}},
+                {"superposed", {Program::table, 2, 0, 0, 10, 0}}},
+               "plane");
+  Simulation moving(scene);
+  run(moving, 20);
+  REQUIRE(moving.energy().kinetic_boundary > 0);
+  Present present(moving);
+  const Vec3 displacement = {{0, 0, -0.1}};
+  const std::vector<Vec3> surfaces = {vector_of(moving.surfaces().frames[0].position) + displacement};
+  present.packing.surfaces = surfaces;
+  const State state = moving.state_at_rest(present.packing);
+  const Simulation resting(scene, state);
+  CHECK(resting.energy().kinetic_boundary == 0);
+  const scree_frame& frame = resting.surfaces().frames[0];
+  CHECK(vector_of(frame.position) == surfaces[0]);
+  for (const double* v : {frame.velocity, frame.mid_velocity, frame.spin, frame.mid_spin})
+    for (int k = 0; k < 3; ++k) CHECK(v[k] == 0);
+  const auto numbers = [](const State& of, const char* path) {
+    return std::get<std::vector<double>>(of.at(path).values);
+  };
+  const std::vector<double> now = numbers(state, "walls/0/state"),
+                            before = numbers(moving.state(), "walls/0/state");
+  for (std::size_t k = 0; k < now.size(); ++k)
+    CHECK(now[k] == (k < 3 ? before[k] + displacement[int(k)] : 0));
+  CHECK(before.back() != 0);
+  const std::vector<double> plane = numbers(state, "walls/1/state");
+  CHECK(numbers(moving.state(), "walls/1/state").back() != 0);
+  CHECK(plane.back() == 0);
+}

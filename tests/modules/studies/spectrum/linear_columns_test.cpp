@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include <scree/run/set_up.hpp>
+#include <scree/wall_surfaces.hpp>
 
 using namespace scree;
 using namespace scree::spectrum;
@@ -70,4 +71,39 @@ TEST_CASE("derived columns of positions follow the motion, those of what observe
               text + with(stretch, "3 *", "lock_in.mean *") +
               "[[probe]]\nplugin = 'lock_in'\nof = 'particles.z_8'\nfrequency_hz = 10\nperiods = 3\n");
         }).find("'derived.stretch' depends on all steps, not on the present state") != std::string::npos);
+}
+
+// The axis is beside the origin of the frame.
+TEST_CASE("surfaces that turn have places, velocities and spins in columns", "[spectrum][surfaces]") {
+  Scene scene = test::scene(3, 1e-4, {body(1, 0.3, 1, {{1, 0, -0.29}})},
+                            {{"normal_stiffness", {1e3}},
+                             {"normal_damping", {0}},
+                             {"tangential_stiffness", {500}},
+                             {"static_friction", {1}}});
+  scene.bodies[0].fixed = true;
+  add_boundary(scene, "disc",
+               {{"point", {0.5, 0, 0}},
+                {"normal", {0, 0, -1}},
+                {"radius", {2}},
+                {"torque", {0}},
+                {"inertia", {1}},
+                {"spin_axis", {0, 0, 1}},
+                {"spin_point", {0.2, 0, 0}}});
+  const Simulation simulation(scene);
+  const response::DegreesOfFreedom freedom(3, 3, {false}, {false}, {false}, {}, {true});
+  const response::HarmonicResponse motion = {3, Eigen::VectorXcd::Constant(1, 2e-3), 0, 0};
+  const std::vector<Vec3> walls(1);
+  DisplacedView view(simulation, walls, freedom, 0);
+  const scree_frame before = view.at_rest().frames[0];
+  const scree_frame turned = view.displaced(motion, DisplacedView::Part::real, 1).frames[0];
+  const auto angle = [](const scree_frame& frame) { return rotation_of(frame)(Vec3{{1, 0, 0}}); };
+  // Turned by 2e-3 about z, of first order in place.
+  CHECK(angle(turned)[1] - angle(before)[1] == Approx(2e-3 * angle(before)[0]).epsilon(1e-5));
+  CHECK(turned.position[1] == Approx(0.3 * 2e-3));
+  CHECK(turned.spin[2] == Approx(0).margin(1e-15));
+  const scree_frame moving = view.displaced(motion, DisplacedView::Part::imaginary, 1).frames[0];
+  const double spin = 2 * std::numbers::pi * 3 * 2e-3;  // −i iω φ
+  CHECK(moving.spin[2] == Approx(spin));
+  CHECK(moving.velocity[1] == Approx(0.3 * spin));
+  CHECK(moving.position[1] == 0);
 }

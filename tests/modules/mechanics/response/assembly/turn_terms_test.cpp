@@ -206,3 +206,25 @@ TEST_CASE("a disc on three beads rises and turns with the stiffness of their spr
   CHECK(system.mass[rise] == 5);
   CHECK(system.mass[turn] == 2.5);
 }
+
+// A wall that forces move is displaced by q along its direction, and across it by w.
+TEST_CASE("bodies that move with beds which torques turn feel no force", "[response][surfaces]") {
+  for (const int dimension : {2, 3}) {
+    const Scene scene = turning_beds(dimension, undamped_values);
+    const State state = test::strained(scene);
+    const LinearSystem system = assemble(Simulation(scene, state), {.fewest_contacts = 1});
+    const DegreesOfFreedom& freedom = system.freedom;
+    for (int k = 0; k < dimension; ++k) {
+      Eigen::VectorXd motion = Eigen::VectorXd::Zero(freedom.size()),
+                      walls = Eigen::VectorXd::Zero(Eigen::Index(freedom.walls()) * dimension);
+      for (std::size_t i = 0; i < freedom.bodies(); ++i) motion[freedom.translation(i, k)] = 1;
+      for (std::size_t b = 0; b < freedom.walls(); ++b) {
+        motion[freedom.wall(b)] = along[k];
+        walls[Eigen::Index(b) * dimension + k] = 1;
+      }
+      const Eigen::VectorXd of_walls = system.wall_stiffness * walls;
+      CHECK((system.stiffness * motion + of_walls).norm() < 1e-13 * system.stiffness.norm());
+      CHECK(of_walls.norm() > 1);
+    }
+  }
+}

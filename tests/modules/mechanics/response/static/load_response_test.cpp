@@ -52,3 +52,33 @@ TEST_CASE("a force on a wall is borne by a fixed disc as by a floor", "[response
   REQUIRE(responses[0].bodies.size() == column_discs + 1);
   CHECK(responses[0].displacement[2 * column_discs + 1] == 0);
 }
+
+// A disc between a floor, a plane that presses it, and a wheel.
+TEST_CASE("a wheel that torques turn bears no tangential load", "[response][surfaces]") {
+  const auto largest_change = [&](bool turns) {
+    const Vec3 apart = {{1.99 * 0.8, 1.99 * 0.6, 0}};  // of the wheel, in which the disc is by 0.01
+    Scene scene = test::scene(2, 1e-4, {test::body(0, 1, 1, {{0, 0.99, 0}}, {}, {}, 2)},
+                              {{"normal_stiffness", {disc_stiffness}},
+                               {"normal_damping", {0}},
+                               {"tangential_stiffness", {600}},
+                               {"tangential_damping", {0}},
+                               {"friction", {0.9}}},
+                              "disc_cundall_strack");
+    test::add_boundary(scene, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 1, 0}}}, "floor");
+    test::add_boundary(
+        scene, "plane",
+        {{"point", {-0.99, 0, 0}}, {"normal", {1, 0, 0}}, {"control", {4}}, {"force", {0, 10}}}, "press");
+    test::Values wheel = {{"point", {apart[0], 0.99 + apart[1], 0}}, {"radius", {1}}, {"side", {1}}};
+    if (turns) wheel.insert(wheel.end(), {{"torque", {0}}, {"inertia", {1}}});
+    test::add_boundary(scene, "cylinder", wheel, "wheel");
+    const std::vector<LoadResponse> responses = load_responses(Simulation(scene), {.fewest_contacts = 1});
+    REQUIRE(responses.size() == 1);
+    double change = 0, normal = 0;
+    for (const LoadedContact& contact : responses[0].contacts)
+      if (contact.b == 3) change = contact.tangential_change, normal = contact.normal_change;
+    CHECK(normal > 0.1);
+    return std::abs(change);
+  };
+  CHECK(largest_change(true) < 1e-9);
+  CHECK(largest_change(false) > 1e-2);
+}
