@@ -5,6 +5,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <scree/plugin/program.hpp>
+#include <scree/wall_surfaces.hpp>
+
 using namespace scree;
 using namespace scree::test;
 
@@ -111,7 +114,7 @@ TEST_CASE(
                 {"control", {4}},
                 {"force", {0, 1}},
                 {"mass", {2}},
-                {"superposed", {Program::table, 2, 0, 0, 10, 0}}},
+                {"superposed", {Program::table, 0, 0, 10, 0}}},
                "plane");
   Simulation moving(scene);
   run(moving, 20);
