@@ -1,6 +1,8 @@
 #include "program.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 using namespace scree::test;
 
@@ -47,6 +49,33 @@ TEST_CASE("the page of modes has the command that finds them again", "[tools]") 
   for (const char* table : {"modes.csv", "density.csv"})
     CHECK(w.text(std::string("out/again/") + table) == w.text(std::string("out/") + table));
   CHECK(w.record("out/again", "modes.json")["options"] == w.record("out", "modes.json")["options"]);
+}
+
+// On three beads: it rises with 3 k_n/m, and turns with 3 k_t r²/I.
+TEST_CASE("modes finds the motions of a lid and its response to a load", "[tools]") {
+  const Workspace w(
+      "particle = [\n{ position = [0.7, 0, -0.29], radius = 0.3, material = \"glass\", fixed = true },\n"
+      "{ position = [-0.35, 0.6, -0.29], radius = 0.3, material = \"glass\", fixed = true },\n"
+      "{ position = [-0.35, -0.6, -0.29], radius = 0.3, material = \"glass\", fixed = true }]\n"
+      "[time]\nstep = 1e-4\n[[material]]\nname = \"glass\"\ndensity = 2500\n"
+      "[[contact]]\nplugin = \"linear_spring_dashpot\"\nnormal_stiffness = 1000\nnormal_damping = 0\n"
+      "tangential_stiffness = 600\nstatic_friction = 0.5\n"
+      "[[boundary]]\nplugin = \"disc\"\nname = \"lid\"\npoint = [0, 0, 0]\nnormal = [0, 0, -1]\nradius = 1\n"
+      "force = 30\nmass = 5\ntorque = 0\ninertia = 2.5\n"
+      "[[stage]]\nname = \"none\"\nduration = 1e-4\n");
+  const Outcome outcome = w.scree("modes scene.toml --modes 2 --loads --fewest-contacts 1 --out out");
+  INFO(outcome.err << outcome.out);
+  REQUIRE(outcome.status == 0);
+  const nlohmann::json record = w.record("out", "modes.json");
+  const double r_squared = (0.49 + 2 * (0.35 * 0.35 + 0.36)) / 3;
+  CHECK(double(record["modes"]["mode_1"]["frequency"]) ==
+        Approx(std::sqrt(3 * 600 * r_squared / 2.5) / (2 * std::numbers::pi)).epsilon(1e-6));
+  CHECK(double(record["modes"]["mode_2"]["frequency"]) ==
+        Approx(std::sqrt(3 * 1000 / 5.0) / (2 * std::numbers::pi)).epsilon(1e-6));
+  const std::vector<std::string> modes = lines_of(w.text("out/modes.csv"));
+  REQUIRE(modes.size() == 3);
+  CHECK(modes[0].find(",walls,wall_turns,") != std::string::npos);
+  CHECK(w.text("out/loads.csv").find("lid,lid,") != std::string::npos);
 }
 
 #if SCREE_TEST_PICTURES

@@ -70,11 +70,12 @@ Motion motion_of(const KineticEnergy& energy, bool touches) {
 Movers told(Motion motion) {
   switch (motion) {
     case Motion::flying:
-      return {"in flight", "wait for them (at_most), or add translational drag (damping)"};
+      return {"in flight",
+              "wait for them (at_most), or add translational drag (background_damping, translational)"};
     case Motion::rolling:
-      return {"by rolling", "add rotational drag (damping) or rolling friction"};
+      return {"by rolling", "add rotational drag (background_damping, rotational) or rolling friction"};
     case Motion::spinning:
-      return {"by spinning", "add rotational drag (damping)"};
+      return {"by spinning", "add rotational drag (background_damping, rotational)"};
     default:
       return {"by sliding or vibrating", "add damping or friction"};
   }

@@ -79,6 +79,8 @@ std::string problem_of_turn(const scree_linear_wall& wall) {
     return fmt::format("an inertia of {:g} kg m^2", wall.inertia);
   if (!(wall.spin_viscosity >= 0 && std::isfinite(wall.spin_viscosity)))
     return fmt::format("a spin viscosity of {:g} N m s", wall.spin_viscosity);
+  if (!std::isfinite(wall.pressing_torque))
+    return fmt::format("a pressing torque of {:g} N m", wall.pressing_torque);
   return "";
 }
 

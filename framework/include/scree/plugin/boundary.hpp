@@ -147,17 +147,18 @@ struct BoundaryLayout {
 // Equation of small motions of a wall along one direction, m s" + γ s' + Σ_c k_c x_c = F, x = s + d, with the
 // displacement x, its superposed part d and the force F of the contacts (abi/boundary.h).
 struct LinearWall {
-  std::uint32_t free = 0;     // scree_wall_freedom
-  Vec3 direction;             // unit; the normal at first
-  double mass = 0;            // m (kg), may be 0
-  double viscosity = 0;       // γ (kg/s)
-  double pressing_force = 0;  // (N) at the time of the step
-  double speed = 0;           // d' (m/s) at that time; of a wall that is not free x'
-  std::uint32_t turns = 0;    // nonzero: torques turn it, I φ" + γ' φ' = T; only surfaces
-  Vec3 axis = {};             // unit, of the turn
-  Vec3 centre = {};           // (m) a point of the axis
-  double inertia = 0;         // I (kg m²), may be 0
-  double spin_viscosity = 0;  // γ' (N m s)
+  std::uint32_t free = 0;      // scree_wall_freedom
+  Vec3 direction;              // unit; the normal at first
+  double mass = 0;             // m (kg), may be 0
+  double viscosity = 0;        // γ (kg/s)
+  double pressing_force = 0;   // (N) at the time of the step
+  double speed = 0;            // d' (m/s) at that time; of a wall that is not free x'
+  std::uint32_t turns = 0;     // nonzero: torques turn it, I φ" + γ' φ' = T; only surfaces
+  Vec3 axis = {};              // unit, of the turn
+  Vec3 centre = {};            // (m) a point of the axis
+  double inertia = 0;          // I (kg m²), may be 0
+  double spin_viscosity = 0;   // γ' (N m s)
+  double pressing_torque = 0;  // (N m) at the time of the step
 };
 
 // Of the planes of a boundary, then of its surfaces; at first they are prescribed, and numbers are 0.

@@ -36,9 +36,10 @@ struct GuidedMotion {
                           stress.given()};
     int present = 0;
     for (int k = displaced; k <= under_stress; ++k) present += given[k];
+    const int last = given[under_stress] ? under_stress : given[pressed] ? pressed : at_velocity;
     if (!chosen && present > 1)
       return std::string("more than one motion is given without ") + names.control + "; say which, such as " +
-             names.control + " = \"" + names.choices[at_velocity] + '"';
+             names.control + " = \"" + (last == under_stress ? "stress" : names.choices[last]) + '"';
     if (!chosen && inertia > 0 && !given[pressed] && !given[under_stress])
       return std::string(names.inertia) + " is given without " + names.choices[pressed] + "; give " +
              names.choices[pressed] + " = 0 if bodies alone move the surface, or leave it out";

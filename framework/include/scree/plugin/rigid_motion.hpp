@@ -157,6 +157,7 @@ class RigidMotion {
       wall.turns = 1;
       wall.axis = vector_of(about_), wall.centre = centre(s);
       wall.inertia = turn_.inertia, wall.spin_viscosity = turn_.motion.viscosity;
+      wall.pressing_torque = turn_.pressing_force(s.time);
     }
   }
   // All surfaces are displaced alike.

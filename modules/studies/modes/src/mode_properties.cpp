@@ -17,7 +17,7 @@ using response::DegreesOfFreedom;
 struct Energies {
   std::vector<double> of_body;
   std::array<double, 3> translation = {};
-  double rotation = 0, walls = 0;
+  double rotation = 0, walls = 0, turns = 0;
   std::size_t held = 0;
 };
 
@@ -39,7 +39,7 @@ Energies energies_of(const Eigen::VectorXd& q, const response::LinearSystem& sys
     }
   }
   for (std::size_t w = 0; w < freedom.walls(); ++w)
-    e.walls += energy(freedom.wall(w)) + energy(freedom.turn(w));
+    e.walls += energy(freedom.wall(w)), e.turns += energy(freedom.turn(w));
   return e;
 }
 
@@ -79,6 +79,7 @@ std::vector<Mode> properties_of(const response::FoundModes& found, const respons
                      .rotation = e.rotation,
                      .direction = e.translation,
                      .walls = e.walls,
+                     .turns = e.turns,
                      .damping_rate = q.dot(system.damping * q),
                      .participants = participants});
   }

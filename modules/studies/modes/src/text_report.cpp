@@ -35,18 +35,19 @@ std::string head(const Vibration& v) {
 }
 
 std::string mode_lines(const Vibration& v) {
-  std::string text =
-      fmt::format("{:>5} {:>14} {:>10} {:>13} {:>9} {:>6} {:>6} {:>6} {:>18}\n", "mode", "frequency [Hz]",
-                  "residual", "participation", "rotation", "x", "y", "z", "energy decay [1/s]");
+  std::string text = fmt::format("{:>5} {:>14} {:>10} {:>13} {:>9} {:>6} {:>6} {:>6} {:>6} {:>18}\n", "mode",
+                                 "frequency [Hz]", "residual", "participation", "rotation", "x", "y", "z",
+                                 "walls", "energy decay [1/s]");
   std::size_t lines = 0, all = 0;
   for (const Mode& m : v.modes) {
     if (m.kind != ModeKind::vibrating) continue;
     ++all;
     if (lines == most_modes) continue;
     ++lines;
-    text += fmt::format("{:>5} {:>14.8g} {:>10.2g} {:>13.3f} {:>9.3f} {:>6.3f} {:>6.3f} {:>6.3f} {:>18.4g}\n",
-                        m.number, m.frequency_hz, m.residual, m.participation, m.rotation, m.direction[0],
-                        m.direction[1], m.direction[2], m.damping_rate);
+    text += fmt::format(
+        "{:>5} {:>14.8g} {:>10.2g} {:>13.3f} {:>9.3f} {:>6.3f} {:>6.3f} {:>6.3f} {:>6.3f} {:>18.4g}\n",
+        m.number, m.frequency_hz, m.residual, m.participation, m.rotation, m.direction[0], m.direction[1],
+        m.direction[2], m.walls + m.turns, m.damping_rate);
   }
   if (all == 0) return "";
   if (all > lines) text += fmt::format("... {} more in modes.csv\n", all - lines);

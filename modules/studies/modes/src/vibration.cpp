@@ -109,7 +109,8 @@ class VibrationStudy : public run::Study {
   void describe() {
     const Particles& p = simulation_->particles();
     for (std::size_t i = 0; i < p.size(); ++i) result_.names.push_back(p.id[i]);
-    result_.walls = simulation_->plane_names();
+    for (std::size_t w = 0; w < system_->freedom.walls(); ++w)
+      result_.walls.push_back(simulation_->wall_name(w));
     for (const std::uint32_t i : system_->rattlers) result_.rattlers.push_back(result_.names[i]);
     result_.bodies = p.size() - system_->rattlers.size() - simulation_->footprint().fixed_bodies;
     result_.contacts = simulation_->contact_list().size();

@@ -29,13 +29,13 @@ std::string participants_text(const Vibration& v, const Mode& mode) {
 std::string mode_table(const Vibration& v) {
   std::string text =
       csv_line({"kind", "number", "frequency [Hz]", "square_frequency [1/s^2]", "residual", "participation",
-                "rotation", "x", "y", "z", "walls", "damping_rate [1/s]", "bodies"});
+                "rotation", "x", "y", "z", "walls", "wall_turns", "damping_rate [1/s]", "bodies"});
   for (const Mode& m : v.modes)
     text += csv_line({mode_kind_names[std::size_t(m.kind)], fmt::format("{}", m.number),
                       csv_number(m.frequency_hz), csv_number(m.square_frequency), csv_number(m.residual),
                       csv_number(m.participation), csv_number(m.rotation), csv_number(m.direction[0]),
                       csv_number(m.direction[1]), csv_number(m.direction[2]), csv_number(m.walls),
-                      csv_number(m.damping_rate), participants_text(v, m)});
+                      csv_number(m.turns), csv_number(m.damping_rate), participants_text(v, m)});
   return text;
 }
 

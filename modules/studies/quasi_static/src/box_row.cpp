@@ -75,10 +75,16 @@ bool BoxRow::has_deviatoric_strain() const {
   return axes_.size() >= 2 && axes_[0].axis == 0 && axes_[1].axis == 1;
 }
 
-double BoxRow::charted(const Sample& sample) const {
-  if (charts_surface()) return surfaces_.numbers(sample)[0];
-  if (!has_deviatoric_strain()) return std::numeric_limits<double>::quiet_NaN();
-  return strain(sample, axes_[0]) - strain(sample, axes_[1]);
+std::string BoxRow::charted_surface() const {
+  return has_deviatoric_strain() || surfaces_.empty() ? "" : surfaces_.first_name();
+}
+
+BoxRow::Charted BoxRow::charted(const Sample& sample) const {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  if (has_deviatoric_strain()) return {strain(sample, axes_[0]) - strain(sample, axes_[1]), none};
+  if (surfaces_.empty()) return {none, none};
+  const std::vector<double> numbers = surfaces_.numbers(sample);
+  return {numbers[0], numbers[1]};
 }
 
 }  // namespace scree::quasi_static

@@ -22,10 +22,14 @@ class BoxRow {
   // Along an axis (m), and 0 if it has no walls.
   static double length(const Sample& sample, int axis);
   static std::vector<double> lengths(int dimension, const Sample& sample);
-  // What a chart shows: L_y/L_y0 − L_x/L_x0; without these walls the displacement (m) of the first surface that
-  // forces move; NaN without such a surface.
-  double charted(const Sample& sample) const;
-  bool charts_surface() const { return !has_deviatoric_strain() && !surfaces_.empty(); }
+  // What charts show: L_y/L_y0 − L_x/L_x0; without these walls the displacement (m) and force (N) of the first
+  // surface that forces move; NaN without such a surface.
+  struct Charted {
+    double value, force;
+  };
+  Charted charted(const Sample& sample) const;
+  // Of the surface; "" without.
+  std::string charted_surface() const;
 
  private:
   struct Axis {

@@ -105,7 +105,7 @@ bool LoadStudy::work() {
     state_file::write_state(session_.directory().add("final_state.h5"), packing_.state());
   end_load();
   try {
-    draw_chart(chart(), session_.directory());
+    draw_charts(chart(), session_.directory());
   } catch (const std::exception& error) {
     session_.warn(fmt::format("the chart was not drawn: {}", error.what()));
   }
@@ -117,7 +117,9 @@ void LoadStudy::add(const Sample& sample) {
   series_->add(box_->line(sample));
   series_->flush();
   times_.push_back(load_.reached = sample.time);
-  charted_.push_back(box_->charted(sample));
+  const BoxRow::Charted charted = box_->charted(sample);
+  charted_.push_back(charted.value);
+  charted_forces_.push_back(charted.force);
 }
 
 void LoadStudy::end_load() {

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <scree/charts/draw_chart.hpp>
+#include <scree/charts/scaled_unit.hpp>
 #include <scree/counted.hpp>
 
 namespace scree::quasi_static {
@@ -46,28 +48,69 @@ charts::ChartSeries part_of(const std::vector<double>& times, const std::vector<
 
 }  // namespace
 
-void draw_chart(const ChartedLoad& charted, const run::RunDirectory& directory) {
-  const auto& [load, times, values, of_surface] = charted;
-  const bool drawn = values.size() > 1 &&
-                     std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
-  if (!drawn) return;
+namespace {
+
+// A curve with its label and unit.
+struct Curve {
+  std::string label;
+  std::vector<double> values;
+};
+
+Curve scaled(const std::string& what, const std::string& unit, std::vector<double> values) {
+  double largest = 0;
+  for (const double value : values) largest = std::max(largest, std::abs(value));
+  const charts::ScaledUnit scale = charts::scaled_unit(largest, unit);
+  for (double& value : values) value *= scale.factor;
+  return {fmt::format("{} ({})", what, scale.symbol), std::move(values)};
+}
+
+Curve charted_curve(const ChartedLoad& charted) {
+  if (charted.surface.empty()) return {"strain L_y/L_y0 - L_x/L_x0", charted.values};
+  return scaled("displacement of " + charted.surface, "m", charted.values);
+}
+
+// One cycle after the other, or of more than a few the first and the last.
+void draw_over_time(const ChartedLoad& charted, const Curve& curve, const run::RunDirectory& directory) {
+  const FollowedLoad& load = charted.load;
   charts::ChartSpec chart;
   chart.title = load.title + ", quasi-static";
-  chart.y_label = of_surface ? "displacement of the first surface (m)" : "strain L_y/L_y0 - L_x/L_x0";
-  const double end = times.back(), slack = 1e-9 * load.period;
+  chart.y_label = curve.label;
+  const double end = charted.times.back(), slack = 1e-9 * load.period;
   if (load.period > 0 && end - load.start >= most_whole_cycles * load.period) {
     const double cycles = std::floor((end - load.start) / load.period + 1e-9);
     chart.x_label = "time in the cycle (s)";
     for (const double cycle : {1.0, cycles}) {
       const double from = load.start + (cycle - 1) * load.period;
-      chart.series.push_back(part_of(times, values, from - slack, from + load.period + slack, from));
+      chart.series.push_back(
+          part_of(charted.times, curve.values, from - slack, from + load.period + slack, from));
       chart.series.back().name = fmt::format("cycle {:g}", cycle);
     }
   } else {
     chart.x_label = "time (s)";
-    chart.series.push_back(part_of(times, values, load.start, end, 0));
+    chart.series.push_back(part_of(charted.times, curve.values, load.start, end, 0));
   }
-  charts::draw_chart(chart, directory.add(of_surface ? "charts/displacement.png" : "charts/strain.png"));
+  charts::draw_chart(
+      chart, directory.add(charted.surface.empty() ? "charts/strain.png" : "charts/displacement.png"));
+}
+
+}  // namespace
+
+void draw_charts(const ChartedLoad& charted, const run::RunDirectory& directory) {
+  const bool drawn =
+      charted.values.size() > 1 && std::all_of(charted.values.begin(), charted.values.end(),
+                                               [](double value) { return std::isfinite(value); });
+  if (!drawn) return;
+  const Curve curve = charted_curve(charted);
+  draw_over_time(charted, curve, directory);
+  if (charted.surface.empty()) return;
+  const Curve force = scaled("force of " + charted.surface, "N", charted.forces);
+  charts::ChartSpec chart;
+  chart.title = charted.load.title + ", quasi-static";
+  chart.x_label = curve.label, chart.y_label = force.label;
+  charts::ChartSeries loop;
+  loop.x = curve.values, loop.y = force.values;
+  chart.series.push_back(std::move(loop));
+  charts::draw_chart(chart, directory.add("charts/force.png"));
 }
 
 std::string text_report(const FollowedLoad& c) {

@@ -43,7 +43,7 @@ class LoadStudy : public run::Study {
   void reopen() override { series_->cut(); }
 
   void end_failed() override { end_load(); }
-  void save_failed() override { draw_chart(chart(), session_.directory()); }
+  void save_failed() override { draw_charts(chart(), session_.directory()); }
 
   void transfer(const StateTransfer& state) override;
 
@@ -92,7 +92,9 @@ class LoadStudy : public run::Study {
     });
   }
 
-  ChartedLoad chart() const { return {load_, times_, charted_, box_ && box_->charts_surface()}; }
+  ChartedLoad chart() const {
+    return {load_, times_, charted_, charted_forces_, box_ ? box_->charted_surface() : ""};
+  }
   void end_load();
   void add(const Sample& sample);
 
@@ -106,8 +108,8 @@ class LoadStudy : public run::Study {
   SurfaceColumns surfaces_;                           // that forces move
   std::optional<BoxRow> box_;
   std::optional<run::LineFile> series_;
-  std::uint64_t series_bytes_ = 0;       // up to the state that is kept
-  std::vector<double> times_, charted_;  // see BoxRow::charted()
+  std::uint64_t series_bytes_ = 0;                        // up to the state that is kept
+  std::vector<double> times_, charted_, charted_forces_;  // see BoxRow::charted()
 };
 
 }  // namespace scree::quasi_static

@@ -133,7 +133,7 @@ Sample LoadedPacking::sample(double time) const {
   return moves_ ? sample_of(*simulation_, time) : sample_of(*balance_, time);
 }
 
-std::size_t LoadedPacking::surfaces() const { return simulation_->surfaces().size(); }
+const std::vector<std::string>& LoadedPacking::surface_names() const { return simulation_->surfaces().names; }
 
 State LoadedPacking::state() const { return moves_ ? simulation_->state() : balance_->state(); }
 

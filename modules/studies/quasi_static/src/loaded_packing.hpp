@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <scree/quasi_static/follow.hpp>
@@ -43,7 +44,7 @@ class LoadedPacking {
   std::optional<Sample> advance(double time);
   Sample sample(double time) const;
   bool moves() const { return moves_; }
-  std::size_t surfaces() const;
+  const std::vector<std::string>& surface_names() const;
   State state() const;
   // Begins the search for equilibrium anew, from positions and springs alone, so that a load that goes on
   // from `keep(state)` has the same bits.

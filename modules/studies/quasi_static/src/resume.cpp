@@ -51,6 +51,8 @@ void LoadStudy::transfer(const StateTransfer& state) {
   state.rows("times", "s", times_);
   charted_.resize(times_.size());
   state.sized_rows("charted", "1", charted_, 1, stored::any);  // NaN: there is nothing to show
+  charted_forces_.resize(times_.size());
+  state.sized_rows("charted_forces", "N", charted_forces_, 1, stored::any);
   surfaces_.transfer(state.below("surfaces"));
   if (bool moves = packing_.moves(); moves && !state.restoring()) state.value("moves", "1", moves);
 }
@@ -73,9 +75,9 @@ void LoadStudy::restore(const State& state) {
   const StateTransfer from = StateTransfer::restoring_from(state).below(run::quasi_static_results.group);
   session_.transfer(from);
   check_restored(from);
-  box_.emplace(lengths_at_start_, surfaces_);
   packing_.begin(state, from.has("moves"));
-  surfaces_.check_restored(from.below("surfaces"), packing_.surfaces());
+  surfaces_.restore(from.below("surfaces"), packing_.surface_names());
+  box_.emplace(lengths_at_start_, surfaces_);
   series_.emplace(session_.directory().path() / series_file, series_bytes_);
 }
 

@@ -11,7 +11,7 @@ SurfaceColumns::SurfaceColumns(const Simulation& simulation) {
   const std::size_t planes = simulation.planes().size();
   for (std::size_t s = 0; s < simulation.surfaces().size(); ++s)
     if (const scree_linear_wall& wall = equations.walls[planes + s]; wall.free == SCREE_FREE)
-      surfaces_.push_back({simulation.wall_name(planes + s), s, vector_of(wall.direction)});
+      surfaces_.push_back({simulation.surfaces().names[s], s, vector_of(wall.direction)});
 }
 
 void SurfaceColumns::begin(const Sample& start) {
@@ -32,7 +32,7 @@ std::vector<double> SurfaceColumns::numbers(const Sample& sample) const {
   for (const Moved& surface : surfaces_) {
     const Vec3 place = vector_of(sample.frames[surface.number].position);
     all.push_back(dot(surface.direction, place - surface.at_start));
-    all.push_back(dot(surface.direction, vector_of(sample.surface_loads[surface.number].force)));
+    all.push_back(-dot(surface.direction, vector_of(sample.surface_loads[surface.number].force)));
   }
   return all;
 }
@@ -60,9 +60,11 @@ void SurfaceColumns::transfer(const StateTransfer& state) {
     surfaces_.push_back({"", std::size_t(numbers[k]), vector(directions, k), vector(places, k)});
 }
 
-void SurfaceColumns::check_restored(const StateTransfer& state, std::size_t surfaces) const {
-  for (const Moved& surface : surfaces_)
-    if (surface.number >= surfaces) state.refuse("numbers", "has a surface that the scene does not have");
+void SurfaceColumns::restore(const StateTransfer& state, const std::vector<std::string>& names) {
+  for (Moved& surface : surfaces_) {
+    if (surface.number >= names.size()) state.refuse("numbers", "has a surface that the scene does not have");
+    surface.name = names[surface.number];
+  }
 }
 
 }  // namespace scree::quasi_static

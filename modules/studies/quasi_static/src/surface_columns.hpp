@@ -10,7 +10,7 @@
 namespace scree::quasi_static {
 
 // Columns of a series about the surfaces that forces move: displacement along the direction of the force since
-// the start of the load (m), and the force of the contacts along it (N).
+// the start of the load (m), and the force with which the surface presses the bodies along it (N).
 class SurfaceColumns {
  public:
   SurfaceColumns() = default;
@@ -21,9 +21,11 @@ class SurfaceColumns {
   bool empty() const { return surfaces_.empty(); }
   std::vector<std::string> names() const;
   std::vector<double> numbers(const Sample& sample) const;
-  // Names are not kept. surfaces: number in the scene, of which a state must not have another.
+  const std::string& first_name() const { return surfaces_.front().name; }
+  // All but names.
   void transfer(const StateTransfer& state);
-  void check_restored(const StateTransfer& state, std::size_t surfaces) const;
+  // Sets names of what a state has, which must have no other surfaces than the scene.
+  void restore(const StateTransfer& state, const std::vector<std::string>& names);
 
  private:
   struct Moved {

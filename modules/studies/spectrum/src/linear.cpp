@@ -35,7 +35,7 @@ void check_column(const ObservedColumn& observed, const MethodSpectrum::Column& 
   if (largest == 0)
     throw Error(fmt::format(
         "{}: '{}' does not respond: small displacements and velocities of bodies and walls leave it "
-        "as it is; {}, or leave the method linear out",
+        "as it is, and forces, torques and spins of bodies are not followed; {}, or leave the method linear out",
         observed.place, observed.name, cure()));
   const double worst = *std::max_element(column.linearity.begin(), column.linearity.end());
   if (!(worst <= largest_change * largest))

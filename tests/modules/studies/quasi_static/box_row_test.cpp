@@ -1,8 +1,12 @@
 #include "box_row.hpp"
 
+#include "scenes.hpp"
+
 #include <cmath>
 
 #include <catch2/catch.hpp>
+
+#include <scree/wall_surfaces.hpp>
 
 using namespace scree::quasi_static;
 
@@ -42,12 +46,12 @@ TEST_CASE("a row has lengths, stresses and strains of a box") {
   // Stresses: the mean force on both walls over the length of the wall (of a disc 1 m thick). Strains:
   // shorter by a fifth.
   CHECK(row.line(box()) == "1.5,2,4,2.5,2,0.19999999999999996,0.19999999999999996,7,2,0\n");
-  CHECK(row.charted(box()) == 0);
+  CHECK(row.charted(box()).value == 0);
   Sample moving = box();
   moving.planes[3] = wall(1, -1, 4.5);
   moving.dynamic = true;
   // L_y/L_y0 − L_x/L_x0
-  CHECK(row.charted(moving) == Approx(0.9 - 0.8));
+  CHECK(row.charted(moving).value == Approx(0.9 - 0.8));
   CHECK(row.line(moving).ends_with(",1\n"));
 }
 
@@ -58,7 +62,7 @@ TEST_CASE("along an axis with one wall or none a row has no columns, and without
   const BoxRow row({2.5, 0});
   CHECK(row.head() == "time [s],length_x [m],strain_xx,contacts,sliding,dynamic\n");
   CHECK(row.line(sample) == "1.5,2,0.19999999999999996,7,2,0\n");
-  CHECK(std::isnan(row.charted(sample)));
+  CHECK(std::isnan(row.charted(sample).value));
 }
 
 TEST_CASE("a wall that is absent bears nothing, and another behind it is the end of the box") {
@@ -69,4 +73,33 @@ TEST_CASE("a wall that is absent bears nothing, and another behind it is the end
   sample.planes.push_back(wall(0, 1, -2)), sample.loads.push_back(load(0, -8)), sample.absent.push_back(0);
   CHECK(BoxRow::lengths(2, sample) == std::vector<double>{3, 4});
   CHECK(BoxRow({2.5, 5}).line(sample).starts_with("1.5,3,4,2.5,"));
+}
+
+// A lid that moves along its direction, and one that does not.
+TEST_CASE("a row has the displacement and the force of a surface that forces move", "[surfaces]") {
+  using namespace scree;
+  Scene scene = test::scene(3, 1e-3, {test::body(0, 1, 1, {})},
+                            {{"normal_stiffness", {1000}}, {"normal_damping", {0}}});
+  test::add_boundary(scene, "disc", {{"point", {0, 0, -2}}, {"normal", {0, 0, 1}}, {"radius", {1}}}, "floor");
+  test::add_boundary(scene, "disc",
+                     {{"point", {0, 0, 2}},
+                      {"normal", {0, 0, -1}},
+                      {"radius", {1}},
+                      {"direction", {0, 0.6, -0.8}},
+                      {"force", {1}},
+                      {"mass", {1}}},
+                     "lid");
+  const Simulation simulation(scene);
+  Sample sample;
+  sample.frames = simulation.surfaces().frames;
+  sample.surface_loads.resize(2);
+  SurfaceColumns columns(simulation);
+  columns.begin(sample);
+  const BoxRow row({0, 0, 0}, columns);
+  CHECK(row.head() == "time [s],displacement_lid [m],force_lid [N],contacts,sliding,dynamic\n");
+  CHECK(row.charted_surface() == "lid");
+  sample.frames[1].position[1] += 0.3, sample.frames[1].position[2] -= 0.4;
+  sample.surface_loads[1].force[2] = 5;  // of the bodies, which the lid presses downwards
+  CHECK(row.charted(sample).value == Approx(0.5));
+  CHECK(row.charted(sample).force == Approx(4));
 }

@@ -110,17 +110,18 @@ enum scree_wall_freedom {
  *   I φ" + γ' φ' = T
  * T: change of the torque of the contacts about the axis. */
 typedef struct scree_linear_wall {
-  uint32_t free;         /* scree_wall_freedom */
-  double direction[3];   /* unit */
-  double mass;           /* (kg) m >= 0 */
-  double viscosity;      /* (kg/s) γ >= 0 */
-  double pressing_force; /* (N) in the direction, at the time of the step */
-  double speed;          /* (m/s) d' at that time; for a wall that is not free, its own speed */
-  uint32_t turns;        /* nonzero: torques turn it; only surfaces */
-  double axis[3];        /* unit, of the turn */
-  double centre[3];      /* (m) a point of the axis */
-  double inertia;        /* (kg m²) I >= 0 */
-  double spin_viscosity; /* (N m s) γ' >= 0 */
+  uint32_t free;          /* scree_wall_freedom */
+  double direction[3];    /* unit */
+  double mass;            /* (kg) m >= 0 */
+  double viscosity;       /* (kg/s) γ >= 0 */
+  double pressing_force;  /* (N) in the direction, at the time of the step */
+  double speed;           /* (m/s) d' at that time; for a wall that is not free, its own speed */
+  uint32_t turns;         /* nonzero: torques turn it; only surfaces */
+  double axis[3];         /* unit, of the turn */
+  double centre[3];       /* (m) a point of the axis */
+  double inertia;         /* (kg m²) I >= 0 */
+  double spin_viscosity;  /* (N m s) γ' >= 0 */
+  double pressing_torque; /* (N m) about the axis, at the time of the step */
 } scree_linear_wall;
 
 /* Output of `linear`; before the call planes are prescribed along their normals, surfaces along the axis z of

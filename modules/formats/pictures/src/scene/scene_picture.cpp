@@ -40,7 +40,9 @@ bool shrinks_spheres(const Frame& frame, const RenderOptions& options) {
 // Pictures are taken at steps, whose times need not be multiples of the spacing.
 std::string time_text(double time, double spacing) {
   if (!(spacing > 0)) return fmt::format("{:.6g}", time);
-  const double unit = std::pow(10.0, std::floor(std::log10(spacing) + 1e-9) - 2);
+  // Three digits of the spacing, and of a time that is shorter.
+  const double shown = time > 0 ? std::min(time, spacing) : spacing;
+  const double unit = std::pow(10.0, std::floor(std::log10(shown) + 1e-9) - 2);
   return fmt::format("{:.12g}", std::round(time / unit) * unit);
 }
 

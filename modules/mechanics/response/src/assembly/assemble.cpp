@@ -58,7 +58,7 @@ WallEquations equations_of_walls(const Simulation& simulation, const AssemblyOpt
   WallEquations equations = simulation.linear_walls();
   if (options.hold_walls)
     for (scree_linear_wall& wall : equations.walls) wall.free = SCREE_PRESCRIBED, wall.turns = 0;
-  check_equations(simulation, equations);
+  check_equations(simulation, equations, "\"fixed\" or \"torque\"");
   return equations;
 }
 

@@ -51,13 +51,12 @@ ConfiguredLaw differentiable(const Scene::Law& law, int dimension) {
   return configured;
 }
 
-void check_equations(const Simulation& simulation, const WallEquations& equations) {
+void check_equations(const Simulation& simulation, const WallEquations& equations, const char* controls) {
   for (std::size_t w = 0; w < equations.walls.size(); ++w)
     if (equations.walls[w].free == SCREE_NO_EQUATION)
       throw Error(fmt::format(
-          "wall {} turns by a program, or with others, which has no linear equation; give it spin_control = \"fixed\" or "
-          "\"torque\", or measure with a pulse or a sweep",
-          simulation.wall_name(w)));
+          "wall {} turns by a program, or with others, which has no linear equation; give it spin_control = {}",
+          simulation.wall_name(w), controls));
 }
 
 void check_laws(const Scene& scene, LawsNeeded needed) {
@@ -110,11 +109,11 @@ class LawContacts {
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       const std::size_t c = contacts_[i];
       const ContactGeometry contact = geometry(c);
-      const auto [f, torque] = loads(at_rest, i, contact);
+      const auto [f, torque, torque_b] = loads(at_rest, i, contact);
       terms.push_back(
           {list_.a[c], list_.b[c], c, law_.instance().tangential != 0 || law_.instance().writes_couple != 0,
            bool(list_.sliding[c]), one_way[i], false, reads_orientations(), place_of(list_.a[c]),
-           contact.normal, f, torque, contact.normal_change,
+           contact.normal, f, torque, torque_b, contact.normal_change,
            contact.of_bodies(contact.displacements(jacobian_, jacobian.data(), i), f),
            contact.of_bodies(contact.velocities(jacobian_, jacobian.data(), i), Eigen::Vector3d::Zero())});
       if (turning.empty()) continue;
@@ -132,9 +131,8 @@ class LawContacts {
 
  private:
   struct Loads {
-    Eigen::Vector3d force, torque;
+    Eigen::Vector3d force, torque, torque_b;  // the latter on another body
   };
-  // On a body.
   Loads loads(const ContactColumns& columns, std::size_t i, const ContactGeometry& contact) const {
     const bool flat = simulation_.dimension() == 2;
     const Vec3 force = columns.output_vector(SCREE_FORCE, i);
@@ -144,7 +142,8 @@ class LawContacts {
       const Vec3 c = columns.output_vector(SCREE_COUPLE, i);
       couple = flat ? Eigen::Vector3d(0, 0, c[0]) : Eigen::Vector3d(c[0], c[1], c[2]);
     }
-    return {f, couple - contact.arm_a * contact.normal.cross(f)};
+    const Eigen::Vector3d lever = contact.normal.cross(f);
+    return {f, couple - contact.arm_a * lever, -couple - contact.arm_b * lever};
   }
   // The contacts, moved until each is on the branch that is asked for.
   ContactColumns at_side_of_limit(const ContactColumns& columns, const ContactColumns& at_rest) const {

@@ -27,6 +27,7 @@ struct ContactTerms {
   bool springs_twist;             // springs turn about the normal with both ends, since the law follows these
   Eigen::Vector3d place, normal;  // (m) of a, and unit
   Eigen::Vector3d force, torque;  // on a (N), (N m), with both at rest
+  Eigen::Vector3d torque_b;       // (N m) on another body
   Eigen::Matrix3d normal_change;  // (1/m) derivative of the normal by u_a − u_b
   Block stiffness, damping;
 };
@@ -35,8 +36,8 @@ struct ContactTerms {
 std::vector<ContactTerms> linearise_contacts(const Simulation& simulation, int spins, AtLimit at_limit,
                                              TimeStep time_step = TimeStep::limit);
 
-// Throws Error if a wall moves in a way that no equation has.
-void check_equations(const Simulation& simulation, const WallEquations& equations);
+// Throws Error if a wall moves in a way that no equation has. controls: of a spin that have one, for the cure.
+void check_equations(const Simulation& simulation, const WallEquations& equations, const char* controls);
 
 // The configured law. Throws Error if it has no derivatives.
 ConfiguredLaw differentiable(const Scene::Law& law, int dimension);

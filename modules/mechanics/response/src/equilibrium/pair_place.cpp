@@ -80,13 +80,11 @@ void PairPlace::set_on_mesh(const SurfaceSpot& before, const MeshContact& contac
   }
   PairAtRest::set_at_surface(*contact.place, separation);
   spot = contact.place->spot;
-  if (!contact.touched) {
-    middle_change = {};
-    return set_middle(normal);
-  }
-  const Vec3 sum = to_scene(before.normal) + normal, between = 1 / norm(sum) * sum;
+  const Vec3 sum = (contact.touched ? to_scene(before.normal) : normal) + normal,
+             between = 1 / norm(sum) * sum;
   // By half of the displacement, of which the end is the whole.
-  const Eigen::Matrix3d turned = 2 / norm(sum) * across(vector(between)) * matrix_of(change.normal);
+  const double share = contact.touched ? 1 : 2;
+  const Eigen::Matrix3d turned = 2 * share / norm(sum) * across(vector(between)) * matrix_of(change.normal);
   for (int k = 0; k < 3; ++k)
     for (int l = 0; l < 3; ++l) middle_change[std::size_t(k)][l] = turned(k, l);
   set_middle(between);

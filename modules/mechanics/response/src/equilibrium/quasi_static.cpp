@@ -41,7 +41,7 @@ void check_surfaces(const Simulation& simulation, const WallEquations& equations
 std::vector<double> loads_of_walls(const Simulation& simulation, double time) {
   const WallEquations equations =
       simulation.linear_walls(time, simulation.planes(), simulation.surfaces().frames);
-  check_equations(simulation, equations);
+  check_equations(simulation, equations, "\"fixed\"");
   check_surfaces(simulation, equations);
   std::vector<double> loads;
   for (std::size_t w = 0; w < equations.walls.size(); ++w) {

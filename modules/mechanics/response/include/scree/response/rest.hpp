@@ -11,7 +11,9 @@ namespace scree::response {
 
 // How far a packing is from rest, and the equilibrium nearby, about which small motions take place.
 struct Rest {
-  double unbalance = 0;  // largest net force on a held body, relative to the mean contact force
+  // Largest net force, or torque over a radius, on a held body or a wall that moves, relative to the mean
+  // contact force.
+  double unbalance = 0;
   // The packing in equilibrium, without motion; null if it is at rest but for round-off, or if there is no
   // equilibrium nearby.
   std::unique_ptr<Simulation> equilibrium;

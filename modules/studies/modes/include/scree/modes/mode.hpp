@@ -26,7 +26,8 @@ struct Mode {
   double participation;  // (Σ e)²/(N Σ e²), e: kinetic energy of each of N held bodies; 1: all move alike
   double rotation;       // share of rotations
   std::array<double, 3> direction;        // shares of translations along x, y, z
-  double walls;                           // share of walls with mass
+  double walls;                           // share of walls with mass that move along a direction
+  double turns;                           // share of walls with inertia that turn
   double damping_rate;                    // qᵀ C q/qᵀ M q (1/s), by which the energy decays
   std::vector<Participant> participants;  // at most 5, those that move most, from a hundredth on
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <filesystem>
@@ -46,9 +47,9 @@ struct FollowedLoad {
   bool interrupted = false;
   std::vector<std::string> warnings;  // "<what>; <cure>"
 
-  double dynamic_time() const {  // (s) of all hand-overs
+  double dynamic_time() const {  // (s) of all hand-overs, as far as the load is kept
     double sum = 0;
-    for (const HandOver& h : hand_overs) sum += h.to - h.from;
+    for (const HandOver& h : hand_overs) sum += std::max(std::min(h.to, reached) - h.from, 0.0);
     return sum;
   }
 };
