@@ -54,9 +54,10 @@ TEST_CASE("the page of modes has the command that finds them again", "[tools]") 
 // On three beads: it rises with 3 k_n/m, and turns with 3 k_t r²/I.
 TEST_CASE("modes finds the motions of a lid and its response to a load", "[tools]") {
   const Workspace w(
-      "particle = [\n{ position = [0.7, 0, -0.29], radius = 0.3, material = \"glass\", fixed = true },\n"
-      "{ position = [-0.35, 0.6, -0.29], radius = 0.3, material = \"glass\", fixed = true },\n"
-      "{ position = [-0.35, -0.6, -0.29], radius = 0.3, material = \"glass\", fixed = true }]\n"
+      "particle = [\n{ position = [0.7, 0, -0.29], radius = 0.3, material = \"glass\" },\n"
+      "{ position = [-0.35, 0.6, -0.29], radius = 0.3, material = \"glass\" },\n"
+      "{ position = [-0.35, -0.6, -0.29], radius = 0.3, material = \"glass\" }]\n"
+      "[[group]]\nname = \"all\"\nwhere = { material = \"glass\" }\nfixed = true\n"
       "[time]\nstep = 1e-4\n[[material]]\nname = \"glass\"\ndensity = 2500\n"
       "[[contact]]\nplugin = \"linear_spring_dashpot\"\nnormal_stiffness = 1000\nnormal_damping = 0\n"
       "tangential_stiffness = 600\nstatic_friction = 0.5\n"

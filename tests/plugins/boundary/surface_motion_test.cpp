@@ -199,7 +199,9 @@ TEST_CASE("motions of surfaces that cannot be are refused by name", "[surfaces]"
   CHECK_THAT(problem("disc", together(disc, {{"force", {0, 1}}})), Catch::Contains("mass is missing"));
   CHECK_THAT(problem("disc", together(disc, {{"torque", {0, 1}}})), Catch::Contains("inertia is missing"));
   CHECK_THAT(problem("disc", together(plate, {{"force", {0, 1}}, {"velocity", {0, 1}}})),
-             Catch::Contains("without control; say which, such as control = \"velocity\""));
+             Catch::Contains("without control; say which, such as control = \"force\""));
+  CHECK_THAT(problem("disc", together(plate, {{"force", {0, 1}}, {"stress", {0, 1}}})),
+             Catch::Contains("without control; say which, such as control = \"stress\""));
   CHECK_THAT(problem("disc", together(disc, {{"spin", {0, 1}}, {"angle", {0, 1}}})),
              Catch::Contains("without spin_control"));
   CHECK_THAT(problem("disc", together(disc, {{"control", {by_velocity}}})), Catch::Contains("give velocity"));

@@ -66,8 +66,8 @@ fs::path series_of_run(const CyclesRequest& request) {
   if (request.strain == CyclesRequest::lengths && !any_has(series, columns_of_lengths))
     throw Error(
         folder.string(), "no series has length_x and length_y, from which the strain follows by default",
-        "give the scene [[probe]] plugin = \"box\", or name other columns, as of a lid after a quasi-static load with "
-        "--strain displacement_lid --load force_lid");
+        "give the scene [[probe]] plugin = \"box\", name the columns of a lid (--strain displacement_lid --load "
+        "force_lid), or a column of another strain with --strain");
   if (series.size() == 1) return series[0];
   std::string names;
   for (const std::string& column : columns) names += fmt::format("{}'{}'", names.empty() ? "" : ", ", column);

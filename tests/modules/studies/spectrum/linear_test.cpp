@@ -74,9 +74,11 @@ TEST_CASE("the linear method of a packing that is not at rest is that of the equ
   const MethodSpectrum rest = spectrum_with(0), more = spectrum_with(0.01), less = spectrum_with(-0.01);
   CHECK(rest.notes.empty());
   REQUIRE(more.notes.size() == 1);
-  CHECK_THAT(more.notes[0],
-             Catch::StartsWith("linear: the packing is not at rest: net forces are up to ") &&
-                 Catch::Contains("from the equilibrium nearby, whose linear response this is; "));
+  CHECK_THAT(
+      more.notes[0],
+      Catch::StartsWith(
+          "linear: the packing is not at rest: net forces, or torques over radii, on bodies and walls ") &&
+          Catch::Contains("from the equilibrium nearby, whose linear response this is; "));
   for (std::size_t k = 0; k < rest.frequencies.size(); ++k) {
     CAPTURE(rest.frequencies[k]);
     const std::complex<double> h = rest.columns[1].response[k];

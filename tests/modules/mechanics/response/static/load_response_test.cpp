@@ -82,3 +82,36 @@ TEST_CASE("a wheel that torques turn bears no tangential load", "[response][surf
   CHECK(largest_change(true) < 1e-9);
   CHECK(largest_change(false) > 1e-2);
 }
+
+// A disc that slides under a paddle, which turns about a hinge as its lever becomes longer. Without friction
+// the force stays along the normal, which turns with the paddle.
+TEST_CASE("a smooth paddle that torques turn bears no tangential load", "[response][surfaces]") {
+  Scene scene = test::scene(2, 1e-4, {test::body(0, 1, 1, {{0, 0.99, 0}}, {}, {}, 2)},
+                            {{"normal_stiffness", {disc_stiffness}}, {"normal_damping", {0}}});
+  test::add_boundary(scene, "plane", {{"point", {0, 0, 0}}, {"normal", {0, 1, 0}}}, "floor");
+  test::add_boundary(scene, "plane", {{"point", {0.99, 0, 0}}, {"normal", {-1, 0, 0}}}, "stop");
+  test::add_boundary(scene, "plane",
+                     {{"point", {-0.99, 0, 0}}, {"normal", {1, 0, 0}}, {"control", {4}}, {"force", {0, 10}}},
+                     "press");
+  test::add_boundary(scene, "rectangle",
+                     {{"point", {0, 1.98, 0}},
+                      {"normal", {0, -1, 0}},
+                      {"length", {8}},
+                      {"torque", {-30}},
+                      {"inertia", {1}},
+                      {"spin_point", {-3, 1.98, 0}}},
+                     "paddle");
+  const std::vector<LoadResponse> responses = load_responses(Simulation(scene), {.fewest_contacts = 1});
+  REQUIRE(responses.size() == 1);
+  bool found = false;
+  for (const LoadedContact& contact : responses[0].contacts) {
+    CHECK(std::abs(contact.tangential_change) < 1e-9);
+    if (contact.b != 4) continue;
+    found = true;
+    // The lever of 3 m grows by dx = 1/k, less 0.99 m times the turn φ = 2 dF/(3 k); 10 N φ, 2e-5 of the load,
+    // push the disc too.
+    CHECK(contact.normal_change ==
+          Approx(-10.0 / 3 / disc_stiffness / (1 + 2 * 0.99 * 10 / (9 * disc_stiffness))).epsilon(1e-4));
+  }
+  CHECK(found);
+}
