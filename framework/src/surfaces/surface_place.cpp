@@ -93,10 +93,10 @@ SurfacePlace place_towards(const WallSurfaces& all, const BodyAtSurface& body,
 std::vector<SurfacePlace> places_within(const WallSurfaces& all, const BodyAtSurface& body, double reach) {
   const PlacedSurface placed(all, body.surface, body.dimension, 0);
   const Vec3 x = placed.to_scene().back()(body.from_origin);
-  std::vector<SurfacePlace> places;
+  std::vector<SurfacePlace> found;
   for (const NearestPoint& spot : spots_within(placed, x, reach))
-    places.push_back(place_of(placed, all.shapes[body.surface], body, x, spot));
-  return places;
+    found.push_back(place_of(placed, all.shapes[body.surface], body, x, spot));
+  return found;
 }
 
 std::vector<std::optional<SurfacePlace>> places_after(const WallSurfaces& all, const BodyAtSurface& body,
@@ -108,11 +108,11 @@ std::vector<std::optional<SurfacePlace>> places_after(const WallSurfaces& all, c
   for (const SurfaceSpot& spot : former) kept.push_back({spot.point, spot.normal, kept.size()});
   SpotMatches matches;
   matches.find(placed.rule(), x, spots, kept);
-  std::vector<std::optional<SurfacePlace>> places(former.size());
+  std::vector<std::optional<SurfacePlace>> found(former.size());
   for (std::size_t s = 0; s < spots.size(); ++s)
     if (matches[s] >= 0)
-      places[std::size_t(matches[s])] = place_of(placed, all.shapes[body.surface], body, x, spots[s]);
-  return places;
+      found[std::size_t(matches[s])] = place_of(placed, all.shapes[body.surface], body, x, spots[s]);
+  return found;
 }
 
 }  // namespace scree
