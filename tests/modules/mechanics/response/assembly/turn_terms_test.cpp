@@ -19,38 +19,38 @@ using scree::test::Values;
 
 namespace {
 
-const Values spring_values = {{"normal_stiffness", {1000}},
-                              {"normal_damping", {3}},
-                              {"tangential_stiffness", {600}},
-                              {"tangential_damping", {2}},
-                              {"static_friction", {50}}};
-const Values undamped_values = {{"normal_stiffness", {1000}},
-                                {"normal_damping", {0}},
-                                {"tangential_stiffness", {600}},
-                                {"static_friction", {50}}};
-const Values hertz_values = {{"youngs_modulus", {1000}},
-                             {"poissons_ratio", {0.25}},
-                             {"restitution", {1}},
-                             {"friction", {50}},
-                             {"history", {2}}};
+const Values damped_bed_values = {{"normal_stiffness", {1000}},
+                                  {"normal_damping", {3}},
+                                  {"tangential_stiffness", {600}},
+                                  {"tangential_damping", {2}},
+                                  {"static_friction", {50}}};
+const Values bed_values = {{"normal_stiffness", {1000}},
+                           {"normal_damping", {0}},
+                           {"tangential_stiffness", {600}},
+                           {"static_friction", {50}}};
+const Values hertz_bed_values = {{"youngs_modulus", {1000}},
+                                 {"poissons_ratio", {0.25}},
+                                 {"restitution", {1}},
+                                 {"friction", {50}},
+                                 {"history", {2}}};
 
-const Vec3 along = {{0.6, 0.8, 0}}, from_bed = {{0.3, -0.2, 0}};
-Vec3 axis_in(int dimension) { return dimension == 2 ? Vec3{{0, 0, 1}} : Vec3{{2.0 / 3, 1.0 / 3, 2.0 / 3}}; }
-Vec3 centre_of(std::size_t bed) { return Vec3{{20 * double(bed), 0, 0}} + from_bed; }
-constexpr double inertia = 2e9;
+const Vec3 bed_direction = {{0.6, 0.8, 0}}, centre_from_bed = {{0.3, -0.2, 0}};
+Vec3 bed_axis(int dimension) { return dimension == 2 ? Vec3{{0, 0, 1}} : Vec3{{2.0 / 3, 1.0 / 3, 2.0 / 3}}; }
+Vec3 bed_centre(std::size_t bed) { return Vec3{{20 * double(bed), 0, 0}} + centre_from_bed; }
+constexpr double bed_inertia = 2e9;
 
-std::vector<double> numbers(const Vec3& v) { return {v[0], v[1], v[2]}; }
+std::vector<double> components_of(const Vec3& v) { return {v[0], v[1], v[2]}; }
 
 // Beds that forces and torques move, as good as not at all, since they are heavy.
 Scene turning_beds(int dimension, const Values& law, const std::string& plugin = "linear_spring_dashpot") {
   Scene s = test::surface_beds(dimension, law, plugin);
   for (std::size_t b = 0; b < s.boundaries.size(); ++b) {
     Parameters& p = s.boundaries[b].parameters;
-    p.set("direction", numbers(along));
-    if (dimension == 3) p.set("spin_axis", numbers(axis_in(3)));
-    p.set("spin_point", numbers(centre_of(b)));
+    p.set("direction", components_of(bed_direction));
+    if (dimension == 3) p.set("spin_axis", components_of(bed_axis(3)));
+    p.set("spin_point", components_of(bed_centre(b)));
     p.set("force", std::vector<double>{0, 0}), p.set("mass", std::vector<double>{1e9});
-    p.set("torque", std::vector<double>{0, 0}), p.set("inertia", std::vector<double>{inertia});
+    p.set("torque", std::vector<double>{0, 0}), p.set("inertia", std::vector<double>{bed_inertia});
     p.set("spin_viscosity", std::vector<double>{1.7});
     if (dimension == 3 && p.find("length") && !p.find("end_radius") && p.find("radius"))
       p.set("length", std::vector<double>{10});
@@ -59,7 +59,7 @@ Scene turning_beds(int dimension, const Values& law, const std::string& plugin =
 }
 
 // Bodies, then beds, whose loads are along their direction and about their axis.
-Eigen::VectorXd loads(const Simulation& s, const DegreesOfFreedom& freedom) {
+Eigen::VectorXd loads_with_beds(const Simulation& s, const DegreesOfFreedom& freedom) {
   const Particles& p = s.particles();
   Eigen::VectorXd all(freedom.size());
   test::each_motion(freedom, [&](Eigen::Index row, std::size_t i, int k) {
@@ -73,9 +73,9 @@ Eigen::VectorXd loads(const Simulation& s, const DegreesOfFreedom& freedom) {
     // The centre moves with the bed.
     const Vec3 place = {{20 * double(b), 0, 0}};
     const Vec3 moved = frame.spin[2] != 0 ? Vec3{} : vector_of(frame.position) - place;
-    const Vec3 arm = vector_of(frame.position) - (centre_of(b) + moved);
-    all[freedom.wall(b)] = dot(along, force);
-    all[freedom.turn(b)] = dot(axis_in(freedom.dimension()), torque + cross(arm, force));
+    const Vec3 arm = vector_of(frame.position) - (bed_centre(b) + moved);
+    all[freedom.wall(b)] = dot(bed_direction, force);
+    all[freedom.turn(b)] = dot(bed_axis(freedom.dimension()), torque + cross(arm, force));
   }
   return all;
 }
@@ -99,7 +99,7 @@ void each_bed_motion(const DegreesOfFreedom& freedom, const Column& column) {
   }
 }
 
-Matrix stiffness_by_differences(const Scene& scene, const State& state, const DegreesOfFreedom& freedom) {
+Matrix bed_stiffness_by_differences(const Scene& scene, const State& state, const DegreesOfFreedom& freedom) {
   const double length = 2e-4;
   Matrix all(freedom.size(), freedom.size());
   const auto fill = [&](Eigen::Index column, const auto& after) {
@@ -110,7 +110,7 @@ Matrix stiffness_by_differences(const Scene& scene, const State& state, const De
       Simulation moved(test::with_motion(scene, state, i, k, steps * length / scene.step), state,
                        Branching());
       moved.step();
-      return loads(moved, freedom);
+      return loads_with_beds(moved, freedom);
     });
   });
   each_bed_motion(freedom, [&](Eigen::Index column, std::size_t bed, double speed, double spin) {
@@ -119,18 +119,18 @@ Matrix stiffness_by_differences(const Scene& scene, const State& state, const De
       Simulation moved(scene, state);
       move_bed(moved, bed, speed * rate, spin * rate);
       moved.step();
-      return loads(moved, freedom);
+      return loads_with_beds(moved, freedom);
     });
   });
   return all;
 }
 
-double error_of_stiffness(const Scene& scene) {
+double error_of_turning_beds(const Scene& scene) {
   const State state = test::strained(scene);
   const Simulation simulation(scene, state);
   const LinearSystem system = assemble(simulation, {.fewest_contacts = 1});
   REQUIRE(system.freedom.turn(0) != DegreesOfFreedom::none);
-  const Matrix expected = stiffness_by_differences(scene, state, system.freedom);
+  const Matrix expected = bed_stiffness_by_differences(scene, state, system.freedom);
   return (Matrix(system.stiffness) - expected).cwiseAbs().maxCoeff() / expected.cwiseAbs().maxCoeff();
 }
 
@@ -140,10 +140,10 @@ double error_of_stiffness(const Scene& scene) {
 TEST_CASE("walls that torques turn have the stiffness that the kernel has", "[response][surfaces]") {
   for (const int dimension : {2, 3}) {
     CAPTURE(dimension);
-    CHECK(error_of_stiffness(turning_beds(dimension, undamped_values)) < 1e-8);
+    CHECK(error_of_turning_beds(turning_beds(dimension, bed_values)) < 1e-8);
   }
-  CHECK(error_of_stiffness(turning_beds(3, hertz_values, "hertz_mindlin")) < 1e-8);
-  CHECK(error_of_stiffness(turning_beds(3, undamped_values, "sphere_path_independent")) < 1e-8);
+  CHECK(error_of_turning_beds(turning_beds(3, hertz_bed_values, "hertz_mindlin")) < 1e-8);
+  CHECK(error_of_turning_beds(turning_beds(3, bed_values, "sphere_path_independent")) < 1e-8);
 }
 
 // As in assemble_test.cpp: forces are linear in velocities, and round-off is 1e-16 of forces that are 1e4 times
@@ -152,7 +152,7 @@ TEST_CASE("walls that torques turn have the damping that the kernel has", "[resp
   const double rate = 1e-3;
   for (const int dimension : {2, 3}) {
     CAPTURE(dimension);
-    Scene scene = turning_beds(dimension, spring_values);
+    Scene scene = turning_beds(dimension, damped_bed_values);
     scene.step = 1e-9;
     const Simulation start(scene);
     const State state = start.state();
@@ -161,16 +161,18 @@ TEST_CASE("walls that torques turn have the damping that the kernel has", "[resp
     test::each_motion(system.freedom, [&](Eigen::Index column, std::size_t i, int k) {
       const Simulation more(test::with_motion(scene, state, i, k, rate), state, Branching());
       const Simulation less(test::with_motion(scene, state, i, k, -rate), state, Branching());
-      expected.col(column) = -(loads(more, system.freedom) - loads(less, system.freedom)) / (2 * rate);
+      expected.col(column) =
+          -(loads_with_beds(more, system.freedom) - loads_with_beds(less, system.freedom)) / (2 * rate);
     });
     each_bed_motion(system.freedom, [&](Eigen::Index column, std::size_t bed, double speed, double spin) {
       Simulation more(scene, state), less(scene, state);
       move_bed(more, bed, speed * rate, spin * rate), move_bed(less, bed, -speed * rate, -spin * rate);
-      expected.col(column) = -(loads(more, system.freedom) - loads(less, system.freedom)) / (2 * rate);
+      expected.col(column) =
+          -(loads_with_beds(more, system.freedom) - loads_with_beds(less, system.freedom)) / (2 * rate);
     });
     for (std::size_t b = 0; b < system.freedom.walls(); ++b) {
       expected(system.freedom.turn(b), system.freedom.turn(b)) += 1.7;  // the viscosity of the bed
-      CHECK(system.mass[system.freedom.turn(b)] == inertia);
+      CHECK(system.mass[system.freedom.turn(b)] == bed_inertia);
     }
     CHECK((Matrix(system.damping) - expected).cwiseAbs().maxCoeff() < 1e-10 * expected.cwiseAbs().maxCoeff());
   }
@@ -185,7 +187,7 @@ TEST_CASE("a disc on three beads rises and turns with the stiffness of their spr
     beads.push_back(
         test::body(std::int64_t(beads.size()), 0.3, 1,
                    {{2 + radius * std::cos(angle), 1 + radius * std::sin(angle), -0.3 + overlap}}));
-  Scene scene = test::scene(3, 1e-4, beads, undamped_values);
+  Scene scene = test::scene(3, 1e-4, beads, bed_values);
   for (Body& bead : scene.bodies) bead.fixed = true;
   test::add_boundary(scene, "disc",
                      {{"point", {2, 1, 0}},
@@ -210,7 +212,7 @@ TEST_CASE("a disc on three beads rises and turns with the stiffness of their spr
 // A wall that forces move is displaced by q along its direction, and across it by w.
 TEST_CASE("bodies that move with beds which torques turn feel no force", "[response][surfaces]") {
   for (const int dimension : {2, 3}) {
-    const Scene scene = turning_beds(dimension, undamped_values);
+    const Scene scene = turning_beds(dimension, bed_values);
     const State state = test::strained(scene);
     const LinearSystem system = assemble(Simulation(scene, state), {.fewest_contacts = 1});
     const DegreesOfFreedom& freedom = system.freedom;
@@ -219,7 +221,7 @@ TEST_CASE("bodies that move with beds which torques turn feel no force", "[respo
                       walls = Eigen::VectorXd::Zero(Eigen::Index(freedom.walls()) * dimension);
       for (std::size_t i = 0; i < freedom.bodies(); ++i) motion[freedom.translation(i, k)] = 1;
       for (std::size_t b = 0; b < freedom.walls(); ++b) {
-        motion[freedom.wall(b)] = along[k];
+        motion[freedom.wall(b)] = bed_direction[k];
         walls[Eigen::Index(b) * dimension + k] = 1;
       }
       const Eigen::VectorXd of_walls = system.wall_stiffness * walls;
