@@ -7,6 +7,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <scree/response/rest.hpp>
 #include <scree/wall_surfaces.hpp>
 
 // Packings in balance with their load, checked by the kernel, which shares no code with the search for
@@ -76,6 +77,8 @@ std::vector<Sample> balanced(Prepared prepared, double period, const std::vector
     REQUIRE_FALSE(packing.moves());
     CHECK(sample->time == Approx(start + share * period));
     const auto moving = prepared.from(packing.state());
+    // As below, over the mean force, torques of contacts included.
+    CHECK(response::rest_of(*moving, {.fewest_contacts = 1}).unbalance < 1e-9);
     moving->step();
     INFO("after " << share << " of the period");
     // The tolerance of the search, 1e-11 of the largest force on a contact or a wall, which is at most some

@@ -119,3 +119,20 @@ TEST_CASE("walls whose forces and torques are not in balance are not at rest", "
   REQUIRE(found.equilibrium);
   CHECK(found.equilibrium->contact_list().overlap[0] == Approx(0.02 / 3));
 }
+
+// Springs of the beads bear it: three of 600 N/m at 0.7 m, stretched by a turn of 1e-3.
+TEST_CASE("a torque that springs bear is in balance", "[response][surfaces]") {
+  constexpr double turned = 1e-3, torque = 3 * 600 * 0.7 * 0.7 * turned;
+  Scene scene = disc_on_beads(30, -torque);
+  Parameters& disc = scene.boundaries[0].parameters;
+  const Parameters under_torque = disc;
+  disc.set("control", std::vector<double>{0});
+  disc.set("spin_control", std::vector<double>{2});
+  disc.set("spin", std::vector<double>{0, -turned / scene.step});
+  Simulation simulation(scene);
+  simulation.step();
+  simulation.reconfigure_boundary(scene.boundaries[0].name, under_torque);
+  simulation.apply_reconfiguration();
+  // Of second order in the turn.
+  CHECK(rest_of(simulation, {.fewest_contacts = 1}).unbalance < 1e-6);
+}
