@@ -1,5 +1,6 @@
 #include "assembly/contact_terms.hpp"
 
+#include "assembly/contact_places.hpp"
 #include "assembly/pair_at_rest.hpp"
 
 #include <algorithm>
@@ -14,8 +15,6 @@
 #include <scree/contact_jacobian.hpp>
 #include <scree/error.hpp>
 #include <scree/plugin/great_circle.hpp>
-#include <scree/surface_place.hpp>
-#include <scree/wall_surfaces.hpp>
 
 namespace scree::response {
 
@@ -79,6 +78,7 @@ class LawContacts {
               int spins, AtLimit at_limit, TimeStep time_step)
       : simulation_(simulation),
         list_(list),
+        places_(simulation, list),
         partner_(partner),
         law_(differentiable(simulation.scene().laws[law], simulation.dimension())),
         jacobian_(law_, simulation.dimension()),
@@ -97,7 +97,7 @@ class LawContacts {
     std::vector<PairVariation> variations((contacts_.size() / SCREE_LANES + 1) * SCREE_LANES);
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       fill(columns, i);
-      variations[i] = pair(contacts_[i]).change;
+      variations[i] = places_.pair(contacts_[i]).change;
     }
     ContactColumns at_rest = columns;
     at_rest.evaluate(law_, simulation_.step_length());
@@ -112,9 +112,9 @@ class LawContacts {
       const auto [f, torque, torque_b] = loads(at_rest, i, contact);
       terms.push_back(
           {list_.a[c], list_.b[c], c, law_.instance().tangential != 0 || law_.instance().writes_couple != 0,
-           bool(list_.sliding[c]), one_way[i], false, reads_orientations(), place_of(list_.a[c]),
-           contact.normal, f, torque, torque_b, contact.normal_change,
-           contact.of_bodies(contact.displacements(jacobian_, jacobian.data(), i), f),
+           bool(list_.sliding[c]), one_way[i], false, reads_orientations(),
+           Eigen::Vector3d(places_.place_of(list_.a[c]).component), contact.normal, f, torque, torque_b,
+           contact.normal_change, contact.of_bodies(contact.displacements(jacobian_, jacobian.data(), i), f),
            contact.of_bodies(contact.velocities(jacobian_, jacobian.data(), i), Eigen::Vector3d::Zero())});
       if (turning.empty()) continue;
       const Block by_rotation =
@@ -239,69 +239,15 @@ class LawContacts {
     return differ;
   }
 
-  PairAtRest pair(std::size_t c) const {
-    const Particles& p = simulation_.particles();
-    PairAtRest pair(p, list_.a[c], list_.b[c]);
-    pair.distance = pair.radius_a + pair.radius_b - list_.overlap[c];
-    pair.normal = {{list_.normal[3 * c], list_.normal[3 * c + 1], list_.normal[3 * c + 2]}};
-    const std::size_t planes = simulation_.planes().size();
-    if (!pair.to_wall()) {
-      pair.separation = pair.distance * pair.normal;
-      pair.change = PairVariation::of_bodies(pair.normal, pair.distance);
-    } else if (pair.b - p.size() < planes) {
-      pair.separation = from_plane(pair);
-    } else {
-      const BodyAtSurface body = at_surface(pair, pair.b - p.size() - planes);
-      pair.set_at_surface(place_towards(simulation_.surfaces(), body, pair.direction()), body.from_origin);
-      pair.crossed = crossed_by(pair.a) + simulation_.domain().beyond(position_of(pair.a));
-    }
-    return pair;
-  }
-  // As SCREE_SEPARATION.
-  Vec3 from_plane(const PairAtRest& pair) const {
-    const Particles& p = simulation_.particles();
-    Vec3 from = crossed_by(pair.a);
-    for (int k = 0; k < p.dimension(); ++k)
-      from[k] = p.position()[k][pair.a] - simulation_.planes()[pair.b - p.size()].point[k] + from[k];
-    return from;
-  }
-  // Periods that a body has crossed (m).
-  Vec3 crossed_by(std::uint32_t body) const {
-    const Domain& domain = simulation_.domain();
-    Vec3 crossed = {};
-    for (int k = 0; k < simulation_.dimension(); ++k)
-      if (domain.periodic[std::size_t(k)])
-        crossed[k] = domain.length(k) * simulation_.particles().image[k][body];
-    return crossed;
-  }
-  // Surfaces have no periodic images.
-  BodyAtSurface at_surface(const PairAtRest& pair, std::size_t surface) const {
-    const Particles& p = simulation_.particles();
-    const Vec3 x = position_of(pair.a), inside = x - simulation_.domain().beyond(x);
-    BodyAtSurface body = {surface, p.dimension(), {}, pair.radius_a};
-    for (int k = 0; k < p.dimension(); ++k)
-      body.from_origin[k] = inside[k] - simulation_.surfaces().frames[surface].position[k];
-    return body;
-  }
-  // Inside the periodic domain.
-  Eigen::Vector3d place_of(std::uint32_t body) const {
-    const Vec3 x = position_of(body), inside = x - simulation_.domain().beyond(x);
-    return Eigen::Vector3d(inside.component);
-  }
-  Vec3 position_of(std::uint32_t body) const {
-    Vec3 x = {};
-    for (int k = 0; k < simulation_.dimension(); ++k) x[k] = simulation_.particles().position()[k][body];
-    return x;
-  }
   ContactGeometry geometry(std::size_t c) const {
-    return pair(c).geometry(simulation_.dimension(), spins_, scree_arms(law_.instance().arms));
+    return places_.pair(c).geometry(simulation_.dimension(), spins_, scree_arms(law_.instance().arms));
   }
 
   // A contact of bodies at rest.
   void fill(ContactColumns& columns, std::size_t i) const {
     const Particles& p = simulation_.particles();
     const std::size_t c = contacts_[i];
-    pair(c).set_inputs(p, p.orientations, law_.instance().reads, columns, i);
+    places_.pair(c).set_inputs(p, p.orientations, law_.instance().reads, columns, i);
     // The overlap of the list has no round-off of a difference.
     columns.input(SCREE_OVERLAP, 0, i) = list_.overlap[c];
     for (std::uint32_t k = 0; k < law_.instance().history_width; ++k)
@@ -342,6 +288,7 @@ class LawContacts {
 
   const Simulation& simulation_;
   const ContactList& list_;
+  ContactPlaces places_;
   Partner partner_;
   ConfiguredLaw law_;
   ContactJacobian jacobian_;

@@ -146,8 +146,8 @@ TEST_CASE("walls that torques turn have the stiffness that the kernel has", "[re
   CHECK(error_of_turning_beds(turning_beds(3, bed_values, "sphere_path_independent")) < 1e-8);
 }
 
-// As in assemble_test.cpp: forces are linear in velocities, and round-off is 1e-16 of forces that are 1e4 times
-// as large as their differences.
+// As in assemble_test.cpp: forces are linear in velocities, and round-off is 1e-16 of forces that are 1e4
+// times as large as their differences.
 TEST_CASE("walls that torques turn have the damping that the kernel has", "[response][surfaces]") {
   const double rate = 1e-3;
   for (const int dimension : {2, 3}) {

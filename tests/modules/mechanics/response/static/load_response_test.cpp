@@ -108,8 +108,8 @@ TEST_CASE("a smooth paddle that torques turn bears no tangential load", "[respon
     CHECK(std::abs(contact.tangential_change) < 1e-9);
     if (contact.b != 4) continue;
     found = true;
-    // The lever of 3 m grows by dx = 1/k, less 0.99 m times the turn φ = 2 dF/(3 k); 10 N φ, 2e-5 of the load,
-    // push the disc too.
+    // The lever of 3 m grows by dx = 1/k, less 0.99 m times the turn φ = 2 dF/(3 k); 10 N φ push the disc
+    // too, 2e-5 of the load.
     CHECK(contact.normal_change ==
           Approx(-10.0 / 3 / disc_stiffness / (1 + 2 * 0.99 * 10 / (9 * disc_stiffness))).epsilon(1e-4));
   }
