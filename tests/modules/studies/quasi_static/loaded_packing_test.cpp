@@ -158,7 +158,7 @@ TEST_CASE("a packing that follows a load is at rest for the kernel: spheres in a
   }
 }
 
-// Four beads in a box, which a lid presses and drags along, between planes and inside a mesh of 1200 triangles.
+// Four beads in a box, which a lid presses and drags, between planes and inside a mesh of 1200 triangles.
 // The balance is found to 1e-11 of forces of 1 N, so that places differ by 1e-11 N over 1e4 N/m.
 TEST_CASE("a quasi-static load moves beads in a box of triangles as in one of planes") {
   const std::string text =
