@@ -10,8 +10,8 @@
 namespace scree::response {
 
 // Numbers the degrees of freedom of a linear system: for each body its translations (m), then its rotations
-// (rad); after the bodies the displacements of walls that forces move (m), then the angles of walls that torques
-// turn (rad). Motions that a body or wall does not have are left out.
+// (rad); after the bodies the displacements of walls that forces move (m), then the angles of walls that
+// torques turn (rad). Motions that a body or wall does not have are left out.
 class DegreesOfFreedom {
  public:
   static constexpr Eigen::Index none = -1;
