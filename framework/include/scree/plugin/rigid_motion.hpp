@@ -145,7 +145,8 @@ class RigidMotion {
     turn_.finish(turn, at.torque, s.time, s.step, s.energy);
     keep(s, along, turn);
   }
-  // One equation for each surface: there is none if it turns as prescribed, or if forces move several together.
+  // One equation for each surface: there is none if it turns as prescribed, or if forces move several
+  // together.
   void linear(const BoundaryStep& s, LinearWalls& all) const {
     const bool together = (along_.is_pressed() || turn_.is_pressed()) && s.frames.size() > 1,
                turning = turn_.motion.prescribed(s.time, 0).speed != 0;

@@ -22,8 +22,8 @@ class BoxRow {
   // Along an axis (m), and 0 if it has no walls.
   static double length(const Sample& sample, int axis);
   static std::vector<double> lengths(int dimension, const Sample& sample);
-  // What charts show: L_y/L_y0 − L_x/L_x0; without these walls the displacement (m) and force (N) of the first
-  // surface that forces move; NaN without such a surface.
+  // What charts show: L_y/L_y0 − L_x/L_x0; without these walls the displacement (m) and force (N) of the
+  // first surface that forces move; NaN without such a surface.
   struct Charted {
     double value, force;
   };

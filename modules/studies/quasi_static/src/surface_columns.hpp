@@ -9,8 +9,8 @@
 
 namespace scree::quasi_static {
 
-// Columns of a series about the surfaces that forces move: displacement along the direction of the force since
-// the start of the load (m), and the force with which the surface presses the bodies along it (N).
+// Columns of a series about the surfaces that forces move: displacement along the direction of the force
+// since the start of the load (m), and the force with which the surface presses the bodies along it (N).
 class SurfaceColumns {
  public:
   SurfaceColumns() = default;

@@ -36,7 +36,8 @@ struct ContactTerms {
 std::vector<ContactTerms> linearise_contacts(const Simulation& simulation, int spins, AtLimit at_limit,
                                              TimeStep time_step = TimeStep::limit);
 
-// Throws Error if a wall moves in a way that no equation has. controls: of a spin that have one, for the cure.
+// Throws Error if a wall moves in a way that no equation has. controls: of a spin that have one, for the
+// cure.
 void check_equations(const Simulation& simulation, const WallEquations& equations, const char* controls);
 
 // The configured law. Throws Error if it has no derivatives.

@@ -49,8 +49,7 @@ class PairsOfLaw {
  private:
   bool touches(std::size_t i) { return columns_->input(SCREE_OVERLAP, 0, i) > 0; }
   PairState state_of(std::size_t i);
-  // The pair before the increment that a new one goes on from, among those from `first` on; nothing if there is
-  // none.
+  // The pair before the increment that a new one goes on from, among those from `first` on, if there is one.
   std::optional<std::size_t> former(const StaticPair& pair, std::size_t first) const;
   // The first pair behind `begin` that is not of the same body and mesh.
   std::size_t end_of_spots(std::size_t begin) const;

@@ -14,9 +14,9 @@ namespace scree::response {
 // Small motions q of a packing about its present state, with its walls displaced by w:
 //   M q″ + C q′ + K q = f − M_w w″ − C_w w′ − K_w w
 // q: translations (m) and rotations (rad) of the bodies that are held by contacts, along axes that are not
-// fixed, displacements (m) of the walls that forces move and angles (rad) of the walls that torques turn and held
-// bodies touch. For a wall that forces move, w is the superposed displacement: inertia and viscosity act on
-// q − w. Rows are forces (N) and torques (N m).
+// fixed, displacements (m) of the walls that forces move and angles (rad) of the walls that torques turn and
+// held bodies touch. For a wall that forces move, w is the superposed displacement: inertia and viscosity act
+// on q − w. Rows are forces (N) and torques (N m).
 struct LinearSystem {
   DegreesOfFreedom freedom;
   Eigen::SparseMatrix<double> stiffness, damping;  // K, C: (q, q)
