@@ -29,8 +29,9 @@ struct SurfacePlace {
 struct BodyAtSurface {
   std::size_t surface;
   int dimension;
-  Vec3 from_origin;  // (m) its centre from the origin of the frame of the surface
-  double radius;     // (m)
+  Vec3 from_origin;     // (m) its centre from the origin of the frame of the surface
+  double radius;        // (m)
+  bool follows = true;  // whether its law follows surfaces, and needs how the change of the normal changes
 };
 // Where the surface, which is no mesh, is nearest to the body.
 SurfacePlace nearest_place(const WallSurfaces& all, const BodyAtSurface& body);
@@ -38,9 +39,9 @@ SurfacePlace nearest_place(const WallSurfaces& all, const BodyAtSurface& body);
 SurfacePlace place_towards(const WallSurfaces& all, const BodyAtSurface& body,
                            const PairDirection<3>& direction);
 
-// Where a mesh is within a distance (m) of the centre: a place for each spot, the nearest first.
-std::vector<SurfacePlace> places_within(const WallSurfaces& all, const BodyAtSurface& body, double reach);
-// The same for each of some former spots, if one goes on from it.
+// Spots of a mesh within a distance (m) of the centre, the nearest first.
+std::vector<SurfaceSpot> spots_within(const WallSurfaces& all, const BodyAtSurface& body, double reach);
+// Where the body is at each of some former spots, if one goes on from it.
 std::vector<std::optional<SurfacePlace>> places_after(const WallSurfaces& all, const BodyAtSurface& body,
                                                       double reach, std::span<const SurfaceSpot> former);
 

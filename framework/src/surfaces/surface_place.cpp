@@ -58,11 +58,12 @@ SurfacePlace place_of(const PlacedSurface& placed, const scree_surface& shape, c
   const Rotation& rotation = placed.to_scene();
   const double of_body = 1 / body.radius, radius = effective_radius_at(nearest.curvature, of_body);
   const Matrix3 change = normal_change_in_scene(placed, body.dimension, x, nearest);
-  SurfacePlace place = {{rotation(nearest.normal), nearest.distance},
-                        radius,
-                        {change, {}, change_of_normal_change(placed, body, x, nearest)},
-                        {{rotation.real, rotation.axis[0], rotation.axis[1], rotation.axis[2]}},
-                        {nearest.point, nearest.normal}};
+  SurfacePlace place = {
+      {rotation(nearest.normal), nearest.distance},
+      radius,
+      {change, {}, body.follows ? change_of_normal_change(placed, body, x, nearest) : std::array<Vec3, 6>{}},
+      {{rotation.real, rotation.axis[0], rotation.axis[1], rotation.axis[2]}},
+      {nearest.point, nearest.normal}};
   if (placed.mesh()) return place;
   // ∂R*/∂κ₁ = −R*/(2 (1/R + κ₁)) where R* is not limited.
   const double together = of_body + nearest.curvature[0];
@@ -90,12 +91,11 @@ SurfacePlace place_towards(const WallSurfaces& all, const BodyAtSurface& body,
                   {x - direction.distance * normal, normal, direction.distance, {}});
 }
 
-std::vector<SurfacePlace> places_within(const WallSurfaces& all, const BodyAtSurface& body, double reach) {
+std::vector<SurfaceSpot> spots_within(const WallSurfaces& all, const BodyAtSurface& body, double reach) {
   const PlacedSurface placed(all, body.surface, body.dimension, 0);
   const Vec3 x = placed.to_scene().back()(body.from_origin);
-  std::vector<SurfacePlace> found;
-  for (const NearestPoint& spot : spots_within(placed, x, reach))
-    found.push_back(place_of(placed, all.shapes[body.surface], body, x, spot));
+  std::vector<SurfaceSpot> found;
+  for (const NearestPoint& spot : spots_within(placed, x, reach)) found.push_back({spot.point, spot.normal});
   return found;
 }
 

@@ -73,4 +73,27 @@ inline Scene periodic_trough(const Values& law, const std::string& plugin, doubl
   return s;
 }
 
+// A disc with three fixed beads, on which its springs exert 30 N.
+inline Scene disc_on_beads(double force, double torque) {
+  std::vector<Body> beads;
+  for (const double angle : {0.1, 2.2, 4.3})
+    beads.push_back(
+        body(std::int64_t(beads.size()), 0.3, 1, {{0.7 * std::cos(angle), 0.7 * std::sin(angle), -0.29}}));
+  Scene scene = test::scene(3, 1e-4, beads,
+                            {{"normal_stiffness", {1000}},
+                             {"normal_damping", {0}},
+                             {"tangential_stiffness", {600}},
+                             {"static_friction", {1}}});
+  for (Body& bead : scene.bodies) bead.fixed = true;
+  add_boundary(scene, "disc",
+               {{"point", {0, 0, 0}},
+                {"normal", {0, 0, -1}},
+                {"radius", {1}},
+                {"force", {force}},
+                {"mass", {1}},
+                {"torque", {torque}},
+                {"inertia", {1}}});
+  return scene;
+}
+
 }  // namespace scree::test

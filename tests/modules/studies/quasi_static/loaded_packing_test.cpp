@@ -20,6 +20,12 @@ namespace {
 using quasi_static::LoadedPacking;
 using quasi_static::Sample;
 
+// A contact law between glass beads.
+std::string beads_with(const std::string& law) {
+  return "[[contact]]\nname = \"beads\"\nplugin = \"" + law +
+         "\"\nnormal_stiffness = 1e4\nrestitution = 0.3\ntangential_stiffness = 5e3\nstatic_friction = 0.3\n";
+}
+
 double largest_load(const Simulation& s) {
   double largest = 0;
   for (const scree_load& load : s.loads())
@@ -131,7 +137,8 @@ TEST_CASE("a packing that follows a load is at rest for the kernel: spheres") {
   }
 }
 
-// Beads in a cylinder, under a disc that a force presses.
+// Beads in a cylinder, under a disc that a force presses. With this seed they are at rest within 5 s with
+// both laws; in others some beads roll on.
 TEST_CASE("a packing that follows a load is at rest for the kernel: spheres in a cylinder under a lid") {
   const std::string text =
       "[scene]\nseed = 2\n[time]\nstep = 2e-5\nstep_guard = false\n"
@@ -148,11 +155,8 @@ TEST_CASE("a packing that follows a load is at rest for the kernel: spheres in a
       "[[stage]]\nname = \"load\"\nduration = 1\nset.lid.force = { from = 0.5, to = 0.7, duration = 1 }\n";
   for (const std::string law : {"linear_spring_dashpot", "sphere_path_independent"}) {
     INFO(law);
-    const std::string contact = "[[contact]]\nname = \"beads\"\nplugin = \"" + law +
-                                "\"\nnormal_stiffness = 1e4\nrestitution = 0.3\n"
-                                "tangential_stiffness = 5e3\nstatic_friction = 0.3\n";
     quasi_static::FollowedLoad load;
-    const auto samples = balanced(Prepared(plan_of(text + contact)), 1, {0, 0.5, 1}, load);
+    const auto samples = balanced(Prepared(plan_of(text + beads_with(law))), 1, {0, 0.5, 1}, load);
     CHECK(samples[2].frames[2].position[2] < samples[0].frames[2].position[2]);
     CHECK(samples[2].surface_loads[2].force[2] == Approx(0.7));
   }
@@ -160,7 +164,8 @@ TEST_CASE("a packing that follows a load is at rest for the kernel: spheres in a
 
 #if SCREE_TEST_PICTURES  // whose library reads meshes
 // Four beads in a box, which a lid presses and drags, between planes and inside a mesh of 1200 triangles.
-// The balance is found to 1e-11 of forces of 1 N, so that places differ by 1e-11 N over 1e4 N/m.
+// The balance is found to 1e-11 of forces of 1 N, which is 1e-15 m; springs keep the round-off of places, up
+// to 5e-19 m in each of at most 250 000 steps of preparation.
 TEST_CASE("a quasi-static load moves beads in a box of triangles as in one of planes") {
   const std::string text =
       "particle = [\n"
@@ -181,12 +186,9 @@ TEST_CASE("a quasi-static load moves beads in a box of triangles as in one of pl
                            "/scenarios/surfaces/cube.stl\"\nscale = 0.36e-3\nside = \"inside\"\n";
   for (const std::string law : {"linear_spring_dashpot", "sphere_path_independent"}) {
     INFO(law);
-    const std::string contact = "[[contact]]\nname = \"beads\"\nplugin = \"" + law +
-                                "\"\nnormal_stiffness = 1e4\nrestitution = 0.3\n"
-                                "tangential_stiffness = 5e3\nstatic_friction = 0.3\n";
     const auto places = [&](const std::string& walls) {
       quasi_static::FollowedLoad load;
-      Prepared prepared(plan_of(text + contact + walls));
+      Prepared prepared(plan_of(text + beads_with(law) + walls));
       const std::unique_ptr<Simulation> start = prepared.from(prepared.simulation->state());
       load.increment = 1.0 / 40;
       LoadedPacking packing(
@@ -208,7 +210,7 @@ TEST_CASE("a quasi-static load moves beads in a box of triangles as in one of pl
     };
     const std::vector<Vec3> between = places(planes), inside = places(mesh);
     for (std::size_t k = 0; k < between.size(); k += 2) {
-      CHECK(norm(inside[k] - between[k]) < 1e-13);
+      CHECK(norm(inside[k] - between[k]) < 1.3e-13);
       CHECK(norm(between[k + 1]) > 1e-6);
     }
   }

@@ -101,7 +101,8 @@ void PairsOfLaw::add_places(std::size_t begin, std::size_t end, const StaticConf
   const std::size_t walls = simulation_.particles().size() + simulation_.planes().size();
   const double radius = simulation_.particles().radius()[first.a];
   const BodyAtSurface body = {first.b - walls, simulation_.dimension(),
-                              after.position[first.a] - after.position[first.b] + first.shift, radius};
+                              after.position[first.a] - after.position[first.b] + first.shift, radius,
+                              law_.instance().follows_surfaces != 0};
   std::vector<SurfaceSpot> spots;
   for (std::size_t i = begin; i < end; ++i) spots.push_back(*pairs_[i].spot);
   const auto now = places_after(simulation_.surfaces(), body, radius + gap_, spots);

@@ -100,8 +100,8 @@ void StaticContacts::find_pairs(const StaticConfiguration& at, double gap) {
       const BodyAtSurface body = {s, p.dimension(), from_origin, p.radius()[a]};
       const std::uint32_t material = simulation_.surfaces().materials[s];
       if (simulation_.surfaces().meshes[s]) {
-        for (const SurfacePlace& place : places_within(simulation_.surfaces(), body, p.radius()[a] + gap))
-          add(a, b, material, shift, place.spot);
+        for (const SurfaceSpot& spot : spots_within(simulation_.surfaces(), body, p.radius()[a] + gap))
+          add(a, b, material, shift, spot);
         continue;
       }
       const SurfacePlace place = nearest_place(simulation_.surfaces(), body);

@@ -1,4 +1,4 @@
-#include "scenes.hpp"
+#include "surface_beds.hpp"
 
 #include <cmath>
 
@@ -76,44 +76,17 @@ TEST_CASE("the unbalance is not that of fixed bodies, and the equilibrium nearby
   CHECK(rest.equilibrium->particles().is_fixed(1));
 }
 
-namespace {
-
-// A disc with three fixed beads, on which its springs exert 30 N.
-Scene disc_on_beads(double force, double torque) {
-  std::vector<Body> beads;
-  for (const double angle : {0.1, 2.2, 4.3})
-    beads.push_back(test::body(std::int64_t(beads.size()), 0.3, 1,
-                               {{0.7 * std::cos(angle), 0.7 * std::sin(angle), -0.29}}));
-  Scene scene = test::scene(3, 1e-4, beads,
-                            {{"normal_stiffness", {1000}},
-                             {"normal_damping", {0}},
-                             {"tangential_stiffness", {600}},
-                             {"static_friction", {1}}});
-  for (Body& bead : scene.bodies) bead.fixed = true;
-  test::add_boundary(scene, "disc",
-                     {{"point", {0, 0, 0}},
-                      {"normal", {0, 0, -1}},
-                      {"radius", {1}},
-                      {"force", {force}},
-                      {"mass", {1}},
-                      {"torque", {torque}},
-                      {"inertia", {1}}});
-  return scene;
-}
-
-}  // namespace
-
 // Each bead bears 10 N; the lever is the distance of a bead from the centre.
 TEST_CASE("walls whose forces and torques are not in balance are not at rest", "[response][surfaces]") {
   const AssemblyOptions options = {.fewest_contacts = 1};
-  CHECK(rest_of(Simulation(disc_on_beads(30, 0)), options).unbalance < 1e-12);
-  const Rest pressed = rest_of(Simulation(disc_on_beads(20, 0)), options);
+  CHECK(rest_of(Simulation(test::disc_on_beads(30, 0)), options).unbalance < 1e-12);
+  const Rest pressed = rest_of(Simulation(test::disc_on_beads(20, 0)), options);
   CHECK(pressed.unbalance == Approx(1));
   CHECK_THAT(pressed.warning,
              Catch::Contains("no equilibrium nearby was searched for, since torques turn disc"));
-  CHECK(rest_of(Simulation(disc_on_beads(30, 0.5)), options).unbalance ==
+  CHECK(rest_of(Simulation(test::disc_on_beads(30, 0.5)), options).unbalance ==
         Approx(0.05 / std::hypot(0.7, 0.29)));
-  Scene held = disc_on_beads(20, 0);
+  Scene held = test::disc_on_beads(20, 0);
   held.boundaries[0].parameters.set("spin_control", std::vector<double>{0});
   const Rest found = rest_of(Simulation(held), options);
   REQUIRE(found.equilibrium);
@@ -123,7 +96,7 @@ TEST_CASE("walls whose forces and torques are not in balance are not at rest", "
 // Springs of the beads bear it: three of 600 N/m at 0.7 m, stretched by a turn of 1e-3.
 TEST_CASE("a torque that springs bear is in balance", "[response][surfaces]") {
   constexpr double turned = 1e-3, torque = 3 * 600 * 0.7 * 0.7 * turned;
-  Scene scene = disc_on_beads(30, -torque);
+  Scene scene = test::disc_on_beads(30, -torque);
   Parameters& disc = scene.boundaries[0].parameters;
   const Parameters under_torque = disc;
   disc.set("control", std::vector<double>{0});
